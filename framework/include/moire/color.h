@@ -1,0 +1,28 @@
+// Colours: linear-light RGB, and the sRGB curve that files and screens use (IEC 61966-2-1).
+#pragma once
+
+#include <cmath>
+
+namespace moire {
+
+// Linear light; 0 is black, 1 the brightest white of an 8-bit image.
+struct Color {
+  float r = 0, g = 0, b = 0;
+
+  friend bool operator==(const Color&, const Color&) = default;
+  friend Color operator+(Color a, Color b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+  friend Color operator-(Color a, Color b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
+  friend Color operator*(float f, Color c) { return {f * c.r, f * c.g, f * c.b}; }
+};
+
+// One channel, sRGB code value in 0..1 to linear light. Values outside continue the curve's ends.
+inline double srgb_to_linear(double code) {
+  return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
+// The inverse of srgb_to_linear.
+inline double linear_to_srgb(double light) {
+  return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+}  // namespace moire

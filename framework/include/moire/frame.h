@@ -1,0 +1,84 @@
+// A scene as seen in one image at one instant, and the questions it can be asked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <moire/geometry.h>
+#include <moire/tally.h>
+#include <moire/texture.h>
+
+namespace moire {
+
+// What is seen along a line of the image.
+class Lines {
+ public:
+  virtual ~Lines() = default;
+
+  // Deposits what is seen on the straight line `from` -> `to`: slot i gets the stretch between cuts[i] and
+  // cuts[i + 1], which are distances from `from` in pixels, not falling, within the line. A fragment's weight is its
+  // length in pixels. `lookup` null: the scene's own colours, one fragment a run.
+  // Requires: pieces has cuts.size() - 1 slots; from != to.
+  virtual void along(Point from, Point to, std::span<const double> cuts, const Lookup* lookup, Tally& pieces) const = 0;
+
+  // The point through which image lines are exact and coherent (the nadir of a camera above a landscape), if any.
+  virtual std::optional<Pole> pole() const { return std::nullopt; }
+};
+
+enum class FillRule { nonzero, even_odd };
+
+struct Polygon {
+  Element element;
+  Color color;
+  FillRule rule;
+  std::span<const Point> points;            // of all contours, one after another, closed implicitly
+  std::span<const std::uint32_t> contours;  // index of each contour's first point
+};
+
+class PolygonSink {
+ public:
+  virtual ~PolygonSink() = default;
+  virtual void polygon(const Polygon&) = 0;
+};
+
+// The polygons that make up the picture.
+class Polygons {
+ public:
+  virtual ~Polygons() = default;
+  // True: no two overlap, the scene has resolved visibility. False: they come front to back.
+  virtual bool disjoint() const = 0;
+  // All polygons that touch the window, one call of the sink each.
+  virtual void stream(const Rectangle& window, PolygonSink& sink) const = 0;
+};
+
+// Where on a texture image points lie.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  // As Frame::trace. Requires: points.size() == out.size().
+  virtual void locate(std::span<const SamplePoint> points, std::span<SurfacePoint> out, Counters& counters) const = 0;
+  virtual const Texture& texture() const = 0;
+};
+
+// Lines and circles with their real end points; defined by the first scene that has them.
+class Curves;
+
+// Immutable, and safe to use from many threads. A question that the scene has no structure for is a null pointer.
+class Frame {
+ public:
+  virtual ~Frame() = default;
+
+  virtual ImageSize size() const = 0;
+
+  // What is seen at each point. Points of one batch that follow each other upward on one line may be answered from
+  // one another. Requires: points.size() == hits.size().
+  virtual void trace(std::span<const SamplePoint> points, std::span<Hit> hits, Counters& counters) const = 0;
+
+  virtual const Lines* lines() const { return nullptr; }
+  virtual const Polygons* polygons() const { return nullptr; }
+  virtual const Surface* surface() const { return nullptr; }
+  virtual const Curves* curves() const { return nullptr; }
+};
+
+}  // namespace moire

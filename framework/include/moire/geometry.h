@@ -1,0 +1,32 @@
+// Places in the image. Pixel (x, y) is the square [x, x + 1) x [y, y + 1); y grows downward.
+#pragma once
+
+namespace moire {
+
+struct ImageSize {
+  int width = 0, height = 0;
+  friend bool operator==(const ImageSize&, const ImageSize&) = default;
+};
+
+// A point of the image in pixels. It may lie outside the image by a filter's radius.
+struct Point {
+  double x = 0, y = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+// A point of the image and, for scenes with an area light, a point (u, v) in [0, 1) x [0, 1) of the light.
+struct SamplePoint {
+  double x = 0, y = 0;
+  float u = 0.5F, v = 0.5F;
+};
+
+struct Rectangle {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+// A point in homogeneous image coordinates: (x / w, y / w), or the direction (x, y) where w is 0.
+struct Pole {
+  double x = 0, y = 0, w = 0;
+};
+
+}  // namespace moire

@@ -1,0 +1,67 @@
+// Samplers: how much of each element is visible in a pixel.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <moire/frame.h>
+#include <moire/random.h>
+#include <moire/settings.h>
+
+namespace moire {
+
+// One sampler at work on one frame.
+class Rendering {
+ public:
+  virtual ~Rendering() = default;
+  // Deposits fragments into every pixel of the block: whole image columns. Called for many blocks at once.
+  virtual void render(PixelBlock& block) const = 0;
+};
+
+// All that a sampler is given with a frame.
+struct RenderRequest {
+  const Frame& frame;
+  const Lookup* lookup = nullptr;       // null: the scene's own colours
+  std::uint64_t seed = 0;
+  int frame_number = 0;
+  const Rendering* previous = nullptr;  // the frame before this one: may save time, never change the result
+};
+
+// Immutable and safe to use from many threads.
+class Sampler {
+ public:
+  virtual ~Sampler() = default;
+  // Counts as time of the method. What `request` refers to outlives the rendering.
+  virtual std::unique_ptr<Rendering> begin(const RenderRequest& request) const = 0;
+};
+
+// The points of one pixel.
+class Points {
+ public:
+  struct Entry {
+    double x, y, weight;
+  };
+  // (x, y) in [0, 1) x [0, 1) of the pixel. Weights are divided by their sum.
+  void add(double x, double y, double weight = 1) { entries_.push_back({x, y, weight}); }
+
+  std::span<const Entry> entries() const { return entries_; }
+  void clear() { entries_.clear(); }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+// A sampler that is a pattern of points. It says where they lie; tracing in coherent batches, lookups, fragments and
+// threads are the host's.
+class PointSampler {
+ public:
+  virtual ~PointSampler() = default;
+  // Appends the points of this pixel to `out`, at least one.
+  virtual void points(const Pixel& pixel, Points& out) const = 0;
+  // True: points() is asked once for all pixels.
+  virtual bool same_in_every_pixel() const { return false; }
+};
+
+}  // namespace moire

@@ -1,0 +1,159 @@
+// What samplers deposit: fragments, summed per slot and kept one by one where a metric asked for them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <moire/color.h>
+#include <moire/element.h>
+
+namespace moire {
+
+// Work done, counted by scenes and by the host; one per tally, so that counting needs no atomics.
+struct Counters {
+  std::uint64_t queries = 0;  // points asked for, or stretches of a line
+  std::uint64_t hits = 0;     // queries answered by an element other than the background; of a line: its runs
+  std::uint64_t steps = 0;    // elements stepped over from a batch's first hit to its last (L of Cohen-Or 1997)
+
+  Counters& operator+=(const Counters& other) {
+    queries += other.queries;
+    hits += other.hits;
+    steps += other.steps;
+    return *this;
+  }
+  friend bool operator==(const Counters&, const Counters&) = default;
+};
+
+// One deposit: an element, how much of the slot it takes (any unit: divided by the slot's sum), its colour.
+struct Fragment {
+  Element element = background;
+  double weight = 0;
+  Color color;
+};
+
+// Sums of a row of slots. A slot is a pixel, or whatever else its owner makes of it.
+class Tally {
+ public:
+  Tally(std::size_t slots, bool recording) : recording_(recording) { reset(slots); }
+
+  // Empties all slots and makes `slots` of them.
+  void reset(std::size_t slots) {
+    sums_.assign(slots, Sum{});
+    entries_.clear();
+    if (recording_) chains_.assign(slots, Chain{});
+    counters = {};
+  }
+
+  std::size_t slots() const { return sums_.size(); }
+  bool recording() const { return recording_; }
+
+  void add(std::size_t slot, Element element, double weight, Color color) {
+    accumulate(slot, weight, color);
+    if (recording_) record(slot, element, weight, color);
+  }
+
+  // Calls body(add), where add(slot, element, weight, color) is Tally::add with the question "recording?"
+  // decided once, outside the loop. For hot loops.
+  template <class Body>
+  void fill(Body&& body) {
+    if (recording_) {
+      body([this](std::size_t slot, Element element, double weight, Color color) {
+        accumulate(slot, weight, color);
+        record(slot, element, weight, color);
+      });
+    } else {
+      body([this](std::size_t slot, Element, double weight, Color color) { accumulate(slot, weight, color); });
+    }
+  }
+
+  // Adds slot `source` of `from`, weights times `factor`, fragments in their order. Requires: `from` records if this does.
+  void mix(std::size_t slot, const Tally& from, std::size_t source, double factor) {
+    const Sum& other = from.sums_[source];
+    Sum& sum = sums_[slot];
+    sum.weight += factor * other.weight;
+    sum.r += factor * other.r;
+    sum.g += factor * other.g;
+    sum.b += factor * other.b;
+    if (recording_) {
+      from.for_each(source, [&](const Fragment& f) { record(slot, f.element, factor * f.weight, f.color); });
+    }
+  }
+
+  // The sum of the slot's weights; 1 where exact area weights fill a pixel.
+  double weight(std::size_t slot) const { return sums_[slot].weight; }
+
+  // sum w c / sum w; black where nothing was deposited.
+  Color color(std::size_t slot) const {
+    const Sum& s = sums_[slot];
+    if (s.weight == 0) return {};
+    return {static_cast<float>(s.r / s.weight), static_cast<float>(s.g / s.weight),
+            static_cast<float>(s.b / s.weight)};
+  }
+
+  // The recorded fragments of a slot in the order of deposit. Nothing unless recording.
+  template <class Visit>
+  void for_each(std::size_t slot, Visit&& visit) const {
+    if (!recording_) return;
+    for (std::uint32_t e = chains_[slot].first; e != none; e = entries_[e].next) visit(entries_[e].fragment);
+  }
+
+  Counters counters;
+
+ private:
+  struct Sum {
+    double weight = 0, r = 0, g = 0, b = 0;
+  };
+  static constexpr std::uint32_t none = 0xffffffffU;
+  struct Chain {
+    std::uint32_t first = none, last = none;
+  };
+  struct Entry {
+    Fragment fragment;
+    std::uint32_t next;
+  };
+
+  void accumulate(std::size_t slot, double weight, Color color) {
+    Sum& sum = sums_[slot];
+    sum.weight += weight;
+    sum.r += weight * color.r;
+    sum.g += weight * color.g;
+    sum.b += weight * color.b;
+  }
+
+  void record(std::size_t slot, Element element, double weight, Color color) {
+    const auto index = static_cast<std::uint32_t>(entries_.size());
+    entries_.push_back({{element, weight, color}, none});
+    Chain& chain = chains_[slot];
+    if (chain.first == none) {
+      chain.first = index;
+    } else {
+      entries_[chain.last].next = index;
+    }
+    chain.last = index;
+  }
+
+  bool recording_;
+  std::vector<Sum> sums_;
+  std::vector<Entry> entries_;
+  std::vector<Chain> chains_;
+};
+
+// The slots of a rectangle of pixels. Pixels of one image column lie side by side.
+class PixelBlock : public Tally {
+ public:
+  PixelBlock(int x0, int y0, int width, int height, bool recording)
+      : Tally(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), recording),
+        x0(x0),
+        y0(y0),
+        width(width),
+        height(height) {}
+
+  std::size_t slot(int x, int y) const {
+    return static_cast<std::size_t>(x - x0) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y - y0);
+  }
+
+  const int x0, y0, width, height;
+};
+
+}  // namespace moire

@@ -1,0 +1,43 @@
+// Regular supersampling: SS_n of Cohen-Or 1997 (n points above one another), or an n x n grid.
+#include <moire/plugin.h>
+
+namespace {
+
+using namespace moire::parameter;
+
+constexpr moire::Parameter parameters[] = {
+    integer("n", 4, 1, 256, "points", "points of a column, or of a grid's side"),
+    choice("layout", "column", "column grid", "n points above one another, or n x n"),
+};
+
+class Supersample final : public moire::PointSampler {
+ public:
+  explicit Supersample(const moire::Settings& settings)
+      : rows_(settings.integer("n")), columns_(settings.text("layout") == "grid" ? rows_ : 1) {}
+
+  // Each point stands for a cell of equal size and lies in its middle.
+  void points(const moire::Pixel&, moire::Points& out) const override {
+    for (std::int64_t i = 0; i < columns_; ++i) {
+      for (std::int64_t j = 0; j < rows_; ++j) {
+        out.add((static_cast<double>(i) + 0.5) / static_cast<double>(columns_),
+                (static_cast<double>(j) + 0.5) / static_cast<double>(rows_));
+      }
+    }
+  }
+  bool same_in_every_pixel() const override { return true; }
+
+ private:
+  std::int64_t rows_, columns_;
+};
+
+}  // namespace
+
+MOIRE_SAMPLER(supersample, "1.0.0",
+              (moire::SamplerPlugin{
+                  .summary = "n points above one another in each pixel, or n x n, equally weighted.",
+                  .source = "Cohen-Or 1997, section 4.2: SS_n",
+                  .parameters = parameters,
+                  .make_points = [](const moire::Settings& settings) -> std::unique_ptr<moire::PointSampler> {
+                    return std::make_unique<Supersample>(settings);
+                  },
+              }))
