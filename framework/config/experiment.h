@@ -1,0 +1,77 @@
+// An experiment as the program sees it: read from JSON, checked, every default filled in.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "loading/catalog.h"
+#include "metrics/description.h"
+
+namespace moire {
+
+struct SceneChoice {
+  std::string name;  // its label, or made by name_choices
+  const Plugin* plugin = nullptr;
+  Settings settings;  // complete; files are paths that exist
+};
+
+// A sampler with its settings and lookup: a contender.
+struct SamplerChoice {
+  std::string name;  // "supersample[n=4]"
+  const Plugin* plugin = nullptr;
+  Settings settings;
+  std::string lookup;  // a name from Vocabulary::lookups
+};
+
+struct MetricChoice {
+  std::string name;  // "coverage"
+  Settings settings;
+};
+
+struct Experiment {
+  std::string name;  // of its folder
+  std::string question;
+  ImageSize image;
+  std::vector<SceneChoice> scenes;
+  std::vector<SamplerChoice> samplers;
+  std::optional<SamplerChoice> reference;  // none: the best that each scene allows ("auto")
+  std::uint64_t seed = 1;
+  std::vector<MetricChoice> metrics;
+  nlohmann::ordered_json request;  // the experiment with every default filled in; reading it gives this experiment again
+};
+
+// A name an experiment may use, and what it is.
+struct NamedSummary {
+  std::string_view name, summary;
+};
+
+// What an experiment may speak of.
+struct Vocabulary {
+  const Catalog* catalog = nullptr;
+  std::span<const MetricDescription* const> metrics;
+  std::span<const NamedSummary> lookups;  // the first, "nearest", asks scenes for nothing; all others for Questions::surface
+};
+
+// Command-line changes to an experiment.
+struct Overrides {
+  std::vector<std::string> sets;  // "image.width=64", "samplers[1].n=8"
+  std::string only;               // "SCENE/SAMPLER", either may be empty
+};
+
+// Reads and checks the whole file. `path` is the JSON file or a folder with an experiment.json. Error: everything that
+// is wrong, one line each: `file:line: path: what is wrong (found); what would be right`.
+Experiment read_experiment(const std::filesystem::path& path, const Vocabulary& vocabulary, const Overrides& overrides);
+
+// Why this sampler cannot run on this scene; empty where it can.
+std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary);
+
+// The experiment file format as JSON Schema (draft 7), for editors.
+nlohmann::ordered_json experiment_schema(const Vocabulary& vocabulary);
+
+}  // namespace moire

@@ -1,0 +1,27 @@
+// What a metric pass says of itself: read by the experiment reader, by `moire list` and by every report.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <moire/settings.h>
+
+namespace moire {
+
+// One number that a pass reports, named `pass.quantity`.
+struct Quantity {
+  std::string_view name;     // "error.rmse"
+  std::string_view unit;     // "levels", "ms", "" for ratios
+  std::string_view meaning;  // formula and colour space, in one sentence
+  bool lower_is_better = true;
+};
+
+struct MetricDescription {
+  std::string_view name;     // "error"
+  std::string_view summary;  // one sentence
+  std::string_view source;   // paper and section, or empty
+  std::span<const Parameter> parameters;
+  std::span<const Quantity> quantities;
+};
+
+}  // namespace moire

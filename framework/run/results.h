@@ -1,0 +1,69 @@
+// All that a run found out, and the only thing a report is made from (with the images beside it).
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace moire {
+
+// One number. low and high: a spread or an interval, NaN where there is none. A value that could not be computed is NaN.
+struct Row {
+  std::string scene, sampler, metric;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+  std::string unit;
+};
+
+struct SceneResult {
+  std::string name, type, version;
+  nlohmann::ordered_json settings;
+  std::string reference;            // recipe: "area[method=line,lines=32,layout=radial], hierarchy=false"
+  double reference_error = std::numeric_limits<double>::quiet_NaN();  // rmse, in units of error.rmse; NaN: no reference
+  std::string reference_error_how;  // how that number was got, one sentence
+  std::filesystem::path reference_image;  // below the result folder; empty if none
+};
+
+struct ContenderResult {
+  std::string name, type, version, lookup;
+  nlohmann::ordered_json settings;
+};
+
+// A picture of one contender on one scene.
+struct ImageResult {
+  std::string scene, sampler;
+  std::string kind;             // "image", "error_absolute", "error_signed"
+  std::filesystem::path file;   // a PNG below the result folder; an EXR of the same name may lie beside it
+  double scale = 0;             // of error maps: the value (in units of error.rmse) at the end of the colour scale
+};
+
+// A contender that did not finish on a scene, and why.
+struct Failure {
+  std::string scene, sampler, message;
+};
+
+struct Explanation {
+  std::string metric, unit, meaning;
+  bool lower_is_better = true;
+};
+
+struct Results {
+  std::string experiment, question;
+  int width = 0, height = 0;
+  std::vector<SceneResult> scenes;
+  std::vector<ContenderResult> contenders;
+  std::vector<Row> rows;
+  std::vector<ImageResult> images;
+  std::vector<Failure> failures;
+  std::vector<Explanation> metrics;
+  bool interrupted = false;
+  std::map<std::string, std::string> jobs;  // "scene/sampler" to the job's key
+  nlohmann::ordered_json manifest;          // versions, hashes, machine, date, command
+};
+
+}  // namespace moire
