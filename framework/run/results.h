@@ -1,6 +1,7 @@
 // All that a run found out, and the only thing a report is made from (with the images beside it).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -27,11 +28,14 @@ struct SceneResult {
   double reference_error = std::numeric_limits<double>::quiet_NaN();  // rmse, in units of error.rmse; NaN: no reference
   std::string reference_error_how;  // how that number was got, one sentence
   std::filesystem::path reference_image;  // below the result folder; empty if none
+  std::array<int, 4> detail_window{};     // x, y, width, height: what reports magnify; all 0: the middle of the image
+  std::string summary;                    // the plugin's sentence on what it is
 };
 
 struct ContenderResult {
   std::string name, type, version, lookup;
   nlohmann::ordered_json settings;
+  std::string summary, source;  // the plugin's: what it does, after which paper
 };
 
 // A picture of one contender on one scene.
@@ -47,9 +51,12 @@ struct Failure {
   std::string scene, sampler, message;
 };
 
+// What a metric means; the fields of a pass's Quantity.
 struct Explanation {
   std::string metric, unit, meaning;
   bool lower_is_better = true;
+  bool is_judged = true;  // false: describes (a count of elements, say), neither end is better
+  bool is_main = false;   // among the few numbers that a summary shows
 };
 
 struct Results {
