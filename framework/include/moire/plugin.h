@@ -47,12 +47,12 @@ struct Claims {
 };
 
 struct SamplerPlugin {
-  std::string_view summary;                      // one sentence
-  std::string_view source;                       // paper, section, equation
+  std::string_view summary;  // one sentence
+  std::string_view source;   // paper, section, equation
   std::span<const Parameter> parameters = {};
   Questions (*asks)(const Settings&) = [](const Settings&) { return Questions::points; };
   Claims claims = {};
-  std::string_view lookup = "nearest";           // the lookup used unless the experiment names one
+  std::string_view lookup = "nearest";  // the lookup used unless the experiment names one
   // One of the two.
   std::unique_ptr<PointSampler> (*make_points)(const Settings&) = nullptr;
   std::unique_ptr<Sampler> (*make)(const Settings&) = nullptr;
@@ -63,7 +63,8 @@ struct ScenePlugin {
   std::string_view source;
   std::span<const Parameter> parameters = {};
   Questions (*answers)(const Settings&) = [](const Settings&) { return Questions::points; };
-  // What the table cannot say, such as two settings that exclude each other: a phrase, or nothing. Cheap, reads no data.
+  // What the table cannot say, such as two settings that exclude each other: a phrase, or nothing. Cheap, reads no
+  // data.
   std::string (*problem)(const Settings&) = [](const Settings&) { return std::string(); };
   std::unique_ptr<Scene> (*make)(const Settings&) = nullptr;
 };
@@ -114,14 +115,16 @@ constexpr Record make_record(Kind kind, std::string_view name, std::string_view 
 
 }  // namespace moire
 
-#define MOIRE_EXPORT extern "C" __attribute__((visibility("default"), used))
+#define MOIRE_EXPORT_PLUGIN(kind, type, name, version, plugin)                        \
+  extern "C" __attribute__((visibility("default"))) const moire::Record moire_record; \
+  extern "C" __attribute__((visibility("default"))) const type moire_plugin;          \
+  constexpr moire::Record moire_record = moire::make_record(kind, #name, version);    \
+  constexpr type moire_plugin = plugin;
 
-// `plugin` is an expression of type SamplerPlugin in parentheses, a constant that refers to static data only.
-#define MOIRE_SAMPLER(name, version, plugin)                                                                  \
-  MOIRE_EXPORT const moire::Record moire_record = moire::make_record(moire::Kind::sampler, #name, version); \
-  MOIRE_EXPORT const moire::SamplerPlugin moire_plugin = plugin;
+// `plugin` is a SamplerPlugin in parentheses, made of constants.
+#define MOIRE_SAMPLER(name, version, plugin) \
+  MOIRE_EXPORT_PLUGIN(moire::Kind::sampler, moire::SamplerPlugin, name, version, plugin)
 
 // The same for a ScenePlugin.
-#define MOIRE_SCENE(name, version, plugin)                                                                  \
-  MOIRE_EXPORT const moire::Record moire_record = moire::make_record(moire::Kind::scene, #name, version); \
-  MOIRE_EXPORT const moire::ScenePlugin moire_plugin = plugin;
+#define MOIRE_SCENE(name, version, plugin) \
+  MOIRE_EXPORT_PLUGIN(moire::Kind::scene, moire::ScenePlugin, name, version, plugin)

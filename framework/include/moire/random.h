@@ -23,8 +23,8 @@ constexpr std::uint64_t mixed(std::uint64_t z) {
 // A uniform number in [0, 1), one for each (seed, frame, pixel, sample, dimension).
 constexpr double random(const Pixel& pixel, std::uint32_t sample, std::uint32_t dimension) {
   constexpr std::uint64_t step = 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio, SplitMix64's increment
-  const auto place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.x)) << 32 |
-                     static_cast<std::uint32_t>(pixel.y);
+  const auto place =
+      static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.x)) << 32 | static_cast<std::uint32_t>(pixel.y);
   const auto use = static_cast<std::uint64_t>(sample) << 32 | dimension;
   std::uint64_t z = mixed(pixel.seed + step);
   z = mixed(z + step * (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.frame)) + 1));

@@ -23,7 +23,7 @@ class Rendering {
 // All that a sampler is given with a frame.
 struct RenderRequest {
   const Frame& frame;
-  const Lookup* lookup = nullptr;       // null: the scene's own colours
+  const Lookup* lookup = nullptr;  // null: the scene's own colours
   std::uint64_t seed = 0;
   int frame_number = 0;
   const Rendering* previous = nullptr;  // the frame before this one: may save time, never change the result

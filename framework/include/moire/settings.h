@@ -50,12 +50,22 @@ constexpr Parameter flag(std::string_view name, bool value, std::string_view mea
 }
 constexpr Parameter integer(std::string_view name, std::int64_t value, std::int64_t smallest, std::int64_t largest,
                             std::string_view unit, std::string_view meaning) {
-  return {.name = name, .type = Type::integer, .meaning = meaning, .unit = unit, .number = static_cast<double>(value),
-          .smallest = static_cast<double>(smallest), .largest = static_cast<double>(largest)};
+  return {.name = name,
+          .type = Type::integer,
+          .meaning = meaning,
+          .unit = unit,
+          .number = static_cast<double>(value),
+          .smallest = static_cast<double>(smallest),
+          .largest = static_cast<double>(largest)};
 }
 constexpr Parameter real(std::string_view name, double value, double smallest, double largest, std::string_view unit,
                          std::string_view meaning) {
-  return {.name = name, .type = Type::real, .meaning = meaning, .unit = unit, .number = value, .smallest = smallest,
+  return {.name = name,
+          .type = Type::real,
+          .meaning = meaning,
+          .unit = unit,
+          .number = value,
+          .smallest = smallest,
           .largest = largest};
 }
 constexpr Parameter choice(std::string_view name, std::string_view value, std::string_view choices,

@@ -67,7 +67,8 @@ class Tally {
     }
   }
 
-  // Adds slot `source` of `from`, weights times `factor`, fragments in their order. Requires: `from` records if this does.
+  // Adds slot `source` of `from`, weights times `factor`, fragments in their order. Requires: `from` records if this
+  // does.
   void mix(std::size_t slot, const Tally& from, std::size_t source, double factor) {
     const Sum& other = from.sums_[source];
     Sum& sum = sums_[slot];
@@ -87,8 +88,7 @@ class Tally {
   Color color(std::size_t slot) const {
     const Sum& s = sums_[slot];
     if (s.weight == 0) return {};
-    return {static_cast<float>(s.r / s.weight), static_cast<float>(s.g / s.weight),
-            static_cast<float>(s.b / s.weight)};
+    return {static_cast<float>(s.r / s.weight), static_cast<float>(s.g / s.weight), static_cast<float>(s.b / s.weight)};
   }
 
   // The recorded fragments of a slot in the order of deposit. Nothing unless recording.
@@ -139,21 +139,22 @@ class Tally {
   std::vector<Chain> chains_;
 };
 
+// A rectangle of pixels.
+struct PixelArea {
+  int x0 = 0, y0 = 0, width = 0, height = 0;
+  friend bool operator==(const PixelArea&, const PixelArea&) = default;
+};
+
 // The slots of a rectangle of pixels. Pixels of one image column lie side by side.
-class PixelBlock : public Tally {
+class PixelBlock : public Tally, public PixelArea {
  public:
-  PixelBlock(int x0, int y0, int width, int height, bool recording)
-      : Tally(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), recording),
-        x0(x0),
-        y0(y0),
-        width(width),
-        height(height) {}
+  PixelBlock(PixelArea area, bool recording)
+      : Tally(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), recording),
+        PixelArea(area) {}
 
   std::size_t slot(int x, int y) const {
     return static_cast<std::size_t>(x - x0) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y - y0);
   }
-
-  const int x0, y0, width, height;
 };
 
 }  // namespace moire

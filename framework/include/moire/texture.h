@@ -62,10 +62,10 @@ class Texture {
 
 // A point seen on a surface, with its place on the texture and how that place moves with the image point.
 struct SurfacePoint {
-  Hit hit;                            // what nearest sampling sees
-  bool textured = false;              // false: the rest means nothing, the colour is the hit's
-  int level = 0;                      // the texture level that the scene shows here
-  double s = 0, t = 0;                // texture coordinates, texels of level 0
+  Hit hit;                                           // what nearest sampling sees
+  bool textured = false;                             // false: the rest means nothing, the colour is the hit's
+  int level = 0;                                     // the texture level that the scene shows here
+  double s = 0, t = 0;                               // texture coordinates, texels of level 0
   float ds_dx = 0, dt_dx = 0, ds_dy = 0, dt_dy = 0;  // per pixel of the image
 };
 

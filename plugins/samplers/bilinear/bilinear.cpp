@@ -12,12 +12,13 @@ class Bilinear final : public moire::PointSampler {
 
 }  // namespace
 
-MOIRE_SAMPLER(bilinear, "1.0.0",
-              (moire::SamplerPlugin{
-                  .summary = "One point in the middle of each pixel, interpolated between the four nearest texels.",
-                  .source = "Cohen-Or 1997, sections 3 and 4.1 (eq. 4 is its one-dimensional form, lookup linear_across)",
-                  .lookup = "bilinear",
-                  .make_points = [](const moire::Settings&) -> std::unique_ptr<moire::PointSampler> {
-                    return std::make_unique<Bilinear>();
-                  },
-              }))
+MOIRE_SAMPLER(
+    bilinear, "1.0.0",
+    (moire::SamplerPlugin{
+        .summary = "One point in the middle of each pixel, interpolated between the four nearest texels.",
+        .source = "Cohen-Or 1997, sections 3 and 4.1 (eq. 4 is its one-dimensional form, lookup linear_across)",
+        .lookup = "bilinear",
+        .make_points = [](const moire::Settings&) -> std::unique_ptr<moire::PointSampler> {
+          return std::make_unique<Bilinear>();
+        },
+    }))

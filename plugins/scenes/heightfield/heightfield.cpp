@@ -1,0 +1,120 @@
+// A terrain of voxels: boxes with flat tops over a regular grid, a colour each, mirrored to infinity.
+#include <algorithm>
+#include <cmath>
+
+#include <moire/error.h>
+#include <moire/plugin.h>
+
+#include "frame.h"
+#include "terrain.h"
+
+namespace heightfield {
+
+namespace {
+
+using namespace moire::parameter;
+
+constexpr moire::Parameter parameters[] = {
+    file("height", "image of heights, first channel, in the file's own numbers; none: a generated terrain"),
+    file("color", "image of colours over the same ground; needed with a height image"),
+    choice("generate", "fractal", "fractal", "the terrain made where no height image is given"),
+    integer("size", 1024, 1, 8192, "voxels", "side of a generated terrain"),
+    integer("seed", 1, 0, std::int64_t{1} << 53, "", "which generated terrain"),
+    real("relief", 110, 0, 1e6, "units", "height of a generated terrain's summits above its lowlands"),
+    choice("grid", "height", "height color",
+           "the image whose pixels are the voxels; the other one is averaged over them"),
+    real("spacing", 1, 1e-9, 1e9, "units", "side of a voxel from west to east"),
+    real("spacing_y", 0, 0, 1e9, "units", "side of a voxel from north to south; 0: square voxels"),
+    real("height_scale", 1, -1e9, 1e9, "units", "height for a step of one in the image's numbers"),
+    real("height_exponent", 1, 1e-3, 1e3, "", "bends heights between the lowest and the highest: 2 flattens lowlands"),
+    real("height_offset", 0, -1e9, 1e9, "units", "added to all heights"),
+    real("far", 4000, 0, 1e9, "units", "horizontal distance from the camera where the terrain ends").per_frame(),
+    color("sky", "#b8d4f0", "colour where no terrain is seen").per_frame(),
+    choice("walk", "grid", "grid major", "visit every voxel under a ray, or one a step along its major axis")
+        .per_frame()
+        .exact_when("grid"),
+    choice("coherence", "resume", "none resume", "a ray goes on where the one below it ended, or starts afresh")
+        .per_frame(),
+    integer("retrace", 0, 0, 1 << 20, "voxels", "how far a resuming ray goes back first").per_frame(),
+    flag("hierarchy", false, "walk over mean voxels as wide as a pixel's footprint").per_frame().exact_when("false"),
+    real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, rounded down to a power of two")
+        .per_frame(),
+    real("view.x", 512, -1e9, 1e9, "units", "camera, eastward from the north-west corner").per_frame(),
+    real("view.y", 512, -1e9, 1e9, "units", "camera, southward from the north-west corner").per_frame(),
+    real("view.height", 180, -1e9, 1e9, "units", "camera above datum, where heights are 0").per_frame(),
+    real("view.yaw_deg", 0, -1e6, 1e6, "degrees", "direction of view: 0 east, 90 south").per_frame(),
+    real("view.pitch_deg", -20, -90, 90, "degrees", "direction of view above the horizontal").per_frame(),
+    real("view.fov_deg", 50, 0.01, 170, "degrees", "angle of view across the width of the image").per_frame(),
+};
+
+double spacing_y(const moire::Settings& settings) {
+  const double given = settings.real("spacing_y");
+  return given > 0 ? given : settings.real("spacing");
+}
+
+// Level l begins where a pixel's footprint is 2^l / level_constant voxels wide: at the slant distance, to the ground at
+// its mean height, of 2^l spacing / (level_constant pixel_angle).
+std::vector<double> level_starts(const Voxels& voxels, const Camera& camera, const moire::Settings& settings) {
+  std::vector<double> starts{0};
+  if (!settings.flag("hierarchy")) return starts;
+  const double drop = settings.real("view.height") - voxels.mean_height();
+  const double spacing = std::sqrt(settings.real("spacing") * spacing_y(settings));
+  for (int l = 1; l < voxels.levels(); ++l) {
+    const double slant = std::ldexp(spacing, l) / (settings.real("level_constant") * camera.pixel_angle());
+    starts.push_back(std::sqrt(std::max(0.0, slant * slant - drop * drop)));
+  }
+  return starts;
+}
+
+class Heightfield final : public moire::Scene {
+ public:
+  explicit Heightfield(const moire::Settings& settings)
+      : voxels_(load_terrain(settings)), texture_(voxels_.texture()) {}
+
+  std::unique_ptr<moire::Frame> frame(const moire::Settings& settings, moire::ImageSize size) const override {
+    const double dx = settings.real("spacing"), dy = spacing_y(settings);
+    const Camera camera(size, settings.real("view.yaw_deg"), settings.real("view.pitch_deg"),
+                        settings.real("view.fov_deg"), dx, dy);
+    View view{&voxels_,
+              settings.real("view.x") / dx,
+              settings.real("view.y") / dy,
+              settings.real("view.height"),
+              dx,
+              dy,
+              settings.real("far"),
+              level_starts(voxels_, camera, settings)};
+    const Manner manner{settings.text("walk") == "grid", settings.text("coherence") == "resume",
+                        static_cast<int>(settings.integer("retrace"))};
+    return std::make_unique<HeightfieldFrame>(size, std::move(view), camera, manner,
+                                              moire::parse_color(settings.text("sky")), texture_);
+  }
+
+ private:
+  Voxels voxels_;
+  moire::Texture texture_;
+};
+
+}  // namespace
+
+}  // namespace heightfield
+
+MOIRE_SCENE(heightfield, "1.0.0",
+            (moire::ScenePlugin{
+                .summary = "A terrain of coloured voxels under a camera, from images or generated.",
+                .source = "Cohen-Or 1997, sections 3 and 4",
+                .parameters = heightfield::parameters,
+                .answers =
+                    [](const moire::Settings&) {
+                      using enum moire::Questions;
+                      return points | lines | radial_lines | surface;
+                    },
+                .problem = [](const moire::Settings& settings) -> std::string {
+                  const bool has_height = !settings.text("height").empty(), has_color = !settings.text("color").empty();
+                  if (has_height && !has_color) return "has a height image and no color; give both";
+                  if (!has_height && has_color) return "has a color image and no height; give both";
+                  return {};
+                },
+                .make = [](const moire::Settings& settings) -> std::unique_ptr<moire::Scene> {
+                  return std::make_unique<heightfield::Heightfield>(settings);
+                },
+            }))

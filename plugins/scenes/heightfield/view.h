@@ -1,0 +1,20 @@
+// What a walk over the voxels needs to know of camera and scene settings.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "voxels.h"
+
+namespace heightfield {
+
+struct View {
+  const Voxels* voxels = nullptr;
+  double x = 0, y = 0, z = 0;           // the eye: voxels from the map's corner, and height in the heights' unit
+  double spacing_x = 1, spacing_y = 1;  // world units a voxel
+  double far = 0;                       // world units, horizontally from the eye
+  std::vector<double> level_starts = {
+      0};  // horizontal distance in world units where each level of the hierarchy begins
+};
+
+}  // namespace heightfield

@@ -1,0 +1,270 @@
+// The walk over the voxels under a ray, near to far: after Cohen-Or 1997, sections 3 and 4, with every voxel a box.
+//
+// A walk has its own axes: p is the axis along which the ray advances most, q the other one, both turned so that the
+// ray rises in p and does not fall in q. Mirrored maps look the same from both sides of an edge, so turning costs
+// nothing. Distances x along a ray are measured in p, in voxels of level 0, from the eye; slopes are heights per such a
+// voxel.
+//
+// Whether a voxel is met is decided by one comparison that depends on voxel, plane and slope alone, never on where the
+// walk began. So within one vertical plane a walk that goes on from the last voxel met sees, to the bit, what a walk
+// from the eye sees.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "camera.h"
+#include "view.h"
+
+namespace heightfield {
+
+// A vertical plane through the eye.
+struct Plane {
+  bool swapped;         // p is y
+  bool flip_p, flip_q;  // p and q are turned round
+  double m;             // advance in q for a voxel in p, 0 .. 1
+
+  bool same_octant(const Plane& other) const {
+    return swapped == other.swapped && flip_p == other.flip_p && flip_q == other.flip_q;
+  }
+  // The p component of a direction.
+  double along(Direction d) const {
+    const double p = swapped ? d.y : d.x;
+    return flip_p ? -p : p;
+  }
+};
+
+inline Plane plane_of(Direction d) {
+  const double ax = std::abs(d.x), ay = std::abs(d.y);
+  const bool swapped = ay > ax;
+  const double p = swapped ? d.y : d.x, q = swapped ? d.x : d.y;
+  return {swapped, p < 0, q<0, std::max(ax, ay)> 0 ? std::min(ax, ay) / std::max(ax, ay) : 0};
+}
+
+// Straight down is a slope of this size: no ray through a sample point is as steep.
+constexpr double least_advance = 1e-12;
+
+// The voxel a walk stands at.
+struct Voxel {
+  const Cell* cell;
+  double x0, x1;      // where the ray's track enters and leaves it
+  std::int64_t p, q;  // voxels of the walk's level, in the walk's axes
+};
+
+// `grid`: every voxel under the track is visited. Otherwise one for each step in p, that under the middle of the step.
+template <bool grid>
+class Walk {
+ public:
+  explicit Walk(const View& view) : view_(view) {}
+
+  // Stands at or before the first voxel that can be met by rays of `slope` or steeper upward.
+  void start(const Plane& plane, double slope);
+
+  // Goes on in another plane from the voxel reached, or `back` voxels before it. Requires: the same octant.
+  void turn(const Plane& plane, int back);
+
+  // Visits, from where the walk stands, every voxel that rises above the ray of `slope`: visit(voxel, slope) may raise
+  // the slope, and ends the climb at that voxel by returning false. Otherwise it ends at the far limit.
+  template <class Visit>
+  void climb(double slope, Visit&& visit);
+
+  // Voxels between the last one counted and this one; 1 for the first.
+  std::uint64_t count(const Voxel& voxel) {
+    const std::int64_t index = place_of_level_ + voxel.p + (grid ? voxel.q : 0);
+    const std::int64_t steps = counted_ == nothing ? 1 : index - counted_;
+    counted_ = index;
+    return static_cast<std::uint64_t>(steps);
+  }
+
+  moire::TexelIndex index(const Voxel& voxel) const {
+    const std::int64_t p = place(voxel.p, plane_.flip_p, shift_p_), q = place(voxel.q, plane_.flip_q, shift_q_);
+    return plane_.swapped ? moire::TexelIndex{level_, q, p} : moire::TexelIndex{level_, p, q};
+  }
+  moire::Element element(const Voxel& voxel) const {
+    const moire::TexelIndex at = index(voxel);
+    return moire::texel_element(at.level, at.i, at.j);
+  }
+
+  const Plane& plane() const { return plane_; }
+  // Across coordinate of the track at distance x, in the walk's axes.
+  double across(double x) const { return eye_q_ + x * plane_.m; }
+
+ private:
+  static constexpr std::int64_t nothing = std::numeric_limits<std::int64_t>::min();
+  static constexpr std::int64_t endless = std::int64_t{1} << 52;
+
+  std::int64_t place(std::int64_t walk_place, bool flip, std::int64_t shift) const {
+    const std::int64_t unreduced = walk_place + (shift >> level_);
+    return flip ? -1 - unreduced : unreduced;
+  }
+  void set_axes(const Plane& plane);
+  // First step of the walk, in voxels of level 0, that belongs to `level`.
+  std::int64_t begin_of_level(int level, double unit) const;
+  // Finds level and end of the part of the walk that holds step `p0` of level 0, and stands at it. False: beyond `far`.
+  bool enter(std::int64_t p0);
+  // The same, going on with the count of steps.
+  bool enter_counted(std::int64_t p0);
+  // Makes table places of the walk's position, and returns the step at which they must be made again.
+  std::int64_t begin_lap(double inverse_width);
+
+  const View& view_;
+  Plane plane_{};
+  double eye_p_ = 0, eye_q_ = 0;            // reduced to one mirror period
+  std::int64_t shift_p_ = 0, shift_q_ = 0;  // what was taken away, in voxels of level 0
+  int level_ = 0;
+  std::int64_t p_ = 0, end_ = 0;  // in voxels of level_
+  double stop_ = 0;               // x of the far limit
+  std::int64_t place_of_level_ = 0, counted_ = nothing;
+  const std::int32_t* places_p_ = nullptr;  // table entries of the walk's indices, less the offsets
+  const std::int32_t* places_q_ = nullptr;
+  std::int64_t offset_p_ = 0, offset_q_ = 0;
+};
+
+template <bool grid>
+void Walk<grid>::set_axes(const Plane& plane) {
+  plane_ = plane;
+  const Voxels::Level& finest = view_.voxels->level(0);
+  const auto reduce = [](double at, int period, double& reduced, std::int64_t& shift) {
+    shift = static_cast<std::int64_t>(std::floor(at / period)) * period;
+    reduced = at - static_cast<double>(shift);
+  };
+  const double p = plane.swapped ? view_.y : view_.x, q = plane.swapped ? view_.x : view_.y;
+  const int period_p = plane.swapped ? finest.row_period() : finest.column_period();
+  const int period_q = plane.swapped ? finest.column_period() : finest.row_period();
+  reduce(plane.flip_p ? -p : p, period_p, eye_p_, shift_p_);
+  reduce(plane.flip_q ? -q : q, period_q, eye_q_, shift_q_);
+}
+
+template <bool grid>
+void Walk<grid>::start(const Plane& plane, double slope) {
+  set_axes(plane);
+  const double eye_above = view_.z - view_.voxels->highest();
+  double x = 0;
+  if (slope < 0 && eye_above > 0)
+    x = std::min(eye_above / -slope, view_.far / std::min(view_.spacing_x, view_.spacing_y));
+  const double p0 = std::max(std::floor(eye_p_), std::floor(eye_p_ + x) - 1);
+  if (!enter(static_cast<std::int64_t>(p0))) end_ = p_;
+  const std::int64_t q = grid ? static_cast<std::int64_t>(across(x) * std::ldexp(1.0, -level_)) : 0;
+  if (counted_ != nothing) counted_ = place_of_level_ + p_ + q;
+}
+
+template <bool grid>
+void Walk<grid>::turn(const Plane& plane, int back) {
+  plane_.m = plane.m;
+  if (back > 0) {
+    const auto first = static_cast<std::int64_t>(eye_p_);
+    enter_counted(std::max(first, (p_ - back) << level_));
+  }
+}
+
+template <bool grid>
+std::int64_t Walk<grid>::begin_of_level(int level, double unit) const {
+  const double x = view_.level_starts[static_cast<std::size_t>(level)] / unit;
+  return static_cast<std::int64_t>(std::ceil(std::ldexp(eye_p_ + x, -level))) << level;
+}
+
+template <bool grid>
+bool Walk<grid>::enter(std::int64_t p0) {
+  const double spacing_p = plane_.swapped ? view_.spacing_y : view_.spacing_x;
+  const double spacing_q = plane_.swapped ? view_.spacing_x : view_.spacing_y;
+  const double unit = std::sqrt(spacing_p * spacing_p + plane_.m * plane_.m * spacing_q * spacing_q);
+  const int levels = static_cast<int>(view_.level_starts.size());
+  stop_ = view_.far / unit;
+  level_ = 0;
+  std::int64_t end = endless;
+  while (level_ + 1 < levels) {
+    end = begin_of_level(level_ + 1, unit);
+    if (end > p0) break;
+    end = endless;
+    ++level_;
+  }
+  p_ = p0 >> level_;
+  end_ = std::min(end >> level_, static_cast<std::int64_t>(std::ceil(std::ldexp(eye_p_ + stop_, -level_))));
+
+  const Voxels::Level& level = view_.voxels->level(level_);
+  places_p_ = (plane_.swapped ? level.rows : level.columns).data();
+  places_q_ = (plane_.swapped ? level.columns : level.rows).data();
+  offset_p_ = offset_q_ = 0;
+  return p_ < end_ && std::ldexp(static_cast<double>(p_), level_) - eye_p_ < stop_;
+}
+
+template <bool grid>
+bool Walk<grid>::enter_counted(std::int64_t p0) {
+  const double x = std::max(static_cast<double>(p0) - eye_p_, 0.0);
+  const auto place = [&] {
+    return (p0 >> level_) + (grid ? static_cast<std::int64_t>(std::ldexp(across(x), -level_)) : 0);
+  };
+  const std::int64_t before = place_of_level_ + place();
+  const bool entered = enter(p0);
+  if (!entered) end_ = p_;
+  place_of_level_ = before - place();
+  return entered;
+}
+
+template <bool grid>
+std::int64_t Walk<grid>::begin_lap(double inverse_width) {
+  const Voxels::Level& level = view_.voxels->level(level_);
+  const auto renew = [](std::int64_t at, std::int64_t period, std::int64_t& offset) {
+    if (at + offset < 0 || at + offset >= period) offset = -(at / period) * period;
+  };
+  const int period_p = plane_.swapped ? level.row_period() : level.column_period();
+  const int period_q = plane_.swapped ? level.column_period() : level.row_period();
+  const auto size_p = static_cast<std::int64_t>((plane_.swapped ? level.rows : level.columns).size());
+  const auto size_q = static_cast<std::int64_t>((plane_.swapped ? level.columns : level.rows).size());
+  const double x0 = std::max(std::ldexp(static_cast<double>(p_), level_) - eye_p_, 0.0);
+  const auto q = static_cast<std::int64_t>(across(x0) * inverse_width);
+  renew(p_, period_p, offset_p_);
+  renew(q, period_q, offset_q_);
+  // q never advances faster than p; one more for the voxel it may enter in the last step.
+  return std::min(end_, p_ + std::min(size_p - (p_ + offset_p_), size_q - (q + offset_q_) - 2));
+}
+
+template <bool grid>
+template <class Visit>
+void Walk<grid>::climb(double slope, Visit&& visit) {
+  const double z = view_.z, m = plane_.m, eye_p = eye_p_, eye_q = eye_q_, stop = stop_;
+  while (p_ < end_ || enter_counted(end_ << level_)) {
+    const double width = std::ldexp(1.0, level_), inverse_width = std::ldexp(1.0, -level_);
+    const std::int64_t lap_end = begin_lap(inverse_width);
+    const Cell* const cells = view_.voxels->level(level_).cells.data();
+    const std::int32_t* const places_p = places_p_;
+    const std::int32_t* const places_q = places_q_;
+    double x0 = std::max(static_cast<double>(p_) * width - eye_p, 0.0);
+    if (slope >= 0 && view_.voxels->highest() - z <= slope * x0) return;
+
+    auto q0 = static_cast<std::int64_t>((eye_q + x0 * m) * inverse_width);
+    std::int64_t p = p_;
+    double next = static_cast<double>(p_ + 1) * width;
+    for (; p < lap_end; ++p, next += width) {
+      const double x1 = std::min(next - eye_p, stop);
+      const std::int32_t place_p = places_p[p + offset_p_];
+      const auto met = [&](std::int64_t q, double from, double to) {
+        const Cell* cell = cells + (place_p + places_q[q + offset_q_]);
+        if (!(cell->height - z > slope * (slope < 0 ? to : from))) return true;
+        return visit(Voxel{cell, from, to, p, q}, slope);
+      };
+      if constexpr (grid) {
+        const auto q1 = static_cast<std::int64_t>((eye_q + x1 * m) * inverse_width);
+        bool climbs = true;
+        double from = x0;
+        for (; climbs && q0 < q1; ++q0) {
+          const double crossing = std::clamp((static_cast<double>(q0 + 1) * width - eye_q) / m, from, x1);
+          if (crossing > from) climbs = met(q0, from, crossing);
+          from = crossing;
+        }
+        if (climbs && from < x1) climbs = met(q0, from, x1);
+        if (!climbs) break;
+      } else {
+        const double middle = static_cast<double>(p) * width + width / 2 - eye_p;
+        if (!met(static_cast<std::int64_t>((eye_q + std::max(middle, 0.0) * m) * inverse_width), x0, x1)) break;
+      }
+      x0 = x1;
+    }
+    p_ = p;
+    if (p < lap_end) return;
+  }
+}
+
+}  // namespace heightfield
