@@ -14,8 +14,8 @@ struct Quantity {
   std::string_view unit;     // "levels", "ms", "" for ratios
   std::string_view meaning;  // formula and colour space, in one sentence
   bool lower_is_better = true;
-  bool is_judged = true;     // false: describes (a count of elements, say), neither end is better; no report marks a best
-  bool is_main = false;      // among the few numbers that a summary shows; where none is, the pass's first
+  bool is_judged = true;  // false: describes (a count of elements, say), neither end is better; no report marks a best
+  bool is_main = false;   // among the few numbers that a summary shows; where none is, the pass's first
 };
 
 struct MetricDescription {

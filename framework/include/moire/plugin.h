@@ -46,12 +46,18 @@ struct Claims {
   bool exact = false;         // no sampling error
 };
 
+// How far a sampler can be trusted as the reference of a scene.
+enum class Trust : std::uint32_t { none, many_points, many_lines, exact };
+
 struct SamplerPlugin {
   std::string_view summary;  // one sentence
   std::string_view source;   // paper, section, equation
   std::span<const Parameter> parameters = {};
   Questions (*asks)(const Settings&) = [](const Settings&) { return Questions::points; };
   Claims claims = {};
+  // Changes `settings` (all defaults) to the best this sampler can do for a scene that answers `answered`, and says how
+  // good that is; `effort` 2 takes twice as many lines, or points along each axis, as 1. Null: it is no reference.
+  Trust (*reference)(Questions answered, int effort, Settings& settings) = nullptr;
   std::string_view lookup = "nearest";  // the lookup used unless the experiment names one
   // One of the two.
   std::unique_ptr<PointSampler> (*make_points)(const Settings&) = nullptr;

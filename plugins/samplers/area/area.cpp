@@ -43,6 +43,14 @@ MOIRE_SAMPLER(
             [](const moire::Settings& settings) {
               return settings.text("layout") == "radial" ? moire::Questions::radial_lines : moire::Questions::lines;
             },
+        .reference =
+            [](moire::Questions answered, int effort, moire::Settings& settings) {
+              if ((answered & moire::Questions::lines) == moire::Questions::none) return moire::Trust::none;
+              const bool radial = (answered & moire::Questions::radial_lines) != moire::Questions::none;
+              settings.set("layout", std::string(radial ? "radial" : "upright"));
+              settings.set("lines", std::int64_t{16} * effort);
+              return moire::Trust::many_lines;
+            },
         .make = [](const moire::Settings& settings) -> std::unique_ptr<moire::Sampler> {
           return std::make_unique<Area>(settings);
         },

@@ -37,6 +37,12 @@ MOIRE_SAMPLER(supersample, "1.0.0",
                   .summary = "n points above one another in each pixel, or n x n, equally weighted.",
                   .source = "Cohen-Or 1997, section 4.2: SS_n",
                   .parameters = parameters,
+                  .reference =
+                      [](moire::Questions, int effort, moire::Settings& settings) {
+                        settings.set("layout", std::string("grid"));
+                        settings.set("n", std::int64_t{16} * effort);
+                        return moire::Trust::many_points;
+                      },
                   .make_points = [](const moire::Settings& settings) -> std::unique_ptr<moire::PointSampler> {
                     return std::make_unique<Supersample>(settings);
                   },

@@ -1,0 +1,23 @@
+// The lookups: how a place on a texture becomes colour. A new one is a file here and a line in lookups.cpp.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include <moire/texture.h>
+
+#include "config/experiment.h"
+
+namespace moire {
+
+// "nearest" first.
+std::span<const NamedSummary> lookups();
+
+// Null for "nearest": the scene's own colours. Requires: a name from lookups().
+std::unique_ptr<Lookup> make_lookup(std::string_view name);
+
+std::unique_ptr<Lookup> make_linear_across();
+std::unique_ptr<Lookup> make_bilinear();
+
+}  // namespace moire

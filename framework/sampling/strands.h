@@ -1,0 +1,34 @@
+// The points of one image column, sorted into strands: batches that a scene can answer one from another.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <moire/sampler.h>
+
+namespace moire {
+
+// Points that share x, or that lie in one upright strip of the pixels, from the bottom of the image to its top.
+struct Strand {
+  std::vector<SamplePoint> points;
+  std::vector<std::uint32_t> rows;  // the pixel of each point: y from the block's top
+  std::vector<double> offsets;      // of each point's x from its pixel
+  std::vector<double> weights;      // of a pixel, over all strands: their sum is 1
+};
+
+class Strands {
+ public:
+  // Of pixels (x, y0) .. (x, y0 + height - 1). Error: the sampler gave no points, or points outside the pixel.
+  Strands(const PointSampler& sampler, Pixel pixel, int y0, int height);
+
+  std::vector<Strand>& all() { return strands_; }
+  const std::vector<Strand>& all() const { return strands_; }
+
+  // Moves all points to image column x. For samplers whose points are the same in every pixel.
+  void move_to(int x);
+
+ private:
+  std::vector<Strand> strands_;
+};
+
+}  // namespace moire
