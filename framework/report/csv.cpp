@@ -1,0 +1,39 @@
+// results.csv: one line a number, as RFC 4180 has it, for spreadsheets and scripts.
+#include "report/csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "report/numbers.h"
+#include "report/whole_file.h"
+
+namespace moire::report {
+namespace {
+
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string bound(double value) { return std::isnan(value) ? std::string() : exact_text(value); }
+
+}  // namespace
+
+std::string csv_text(const Results& results) {
+  std::string text = "scene,sampler,metric,value,low,high,unit\r\n";
+  for (const Row& row : results.rows) {
+    text += fmt::format("{},{},{},{},{},{},{}\r\n", field(row.scene), field(row.sampler), field(row.metric),
+                        exact_text(row.value), bound(row.low), bound(row.high), field(row.unit));
+  }
+  return text;
+}
+
+void write_csv(const std::filesystem::path& folder, const Results& results) {
+  write_whole_file(folder / "results.csv", csv_text(results));
+}
+
+}  // namespace moire::report

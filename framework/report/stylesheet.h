@@ -1,0 +1,8 @@
+// The looks of report.html, from page.css.
+#pragma once
+
+namespace moire::report {
+
+extern const char* const stylesheet;
+
+}  // namespace moire::report

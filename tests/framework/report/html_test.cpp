@@ -1,0 +1,148 @@
+#include "report/html.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <initializer_list>
+
+#include "framework/report/sample_results.h"
+#include "message_of.h"
+#include "report/json.h"
+#include "report/whole_file.h"
+#include "temporary_folder.h"
+
+namespace moire::report {
+namespace {
+
+// As much of a PNG as a page looks at; `content` makes it differ from others.
+std::string png(int width, int height, const std::string& content) {
+  std::string bytes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+  for (int number : {width, height}) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
+  }
+  return bytes + content;
+}
+
+// A result folder of the sample; one of its pictures is missing.
+class ResultFolder {
+ public:
+  explicit ResultFolder(const Results& results = test::sample_results()) {
+    std::filesystem::create_directories(path() / "images/hill");
+    folder_.file("images/hill/reference.png", png(64, 48, "reference"));
+    folder_.file("images/hill/point.png", png(64, 48, "point"));
+    folder_.file("images/hill/point_absolute.png", png(64, 48, "absolute"));
+    write_json(path(), results);
+  }
+  const std::filesystem::path& path() const { return folder_.path(); }
+  std::string page() const {
+    write_html(path());
+    return test::bytes_of(path() / "report.html");
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t times = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) ++times;
+  return times;
+}
+
+bool contains(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a page refers to nothing outside itself") {
+  const std::string page = ResultFolder().page();
+  CHECK(contains(page,
+                 "content=\"default-src &#39;none&#39;; img-src data:; style-src &#39;unsafe-inline&#39;; "
+                 "base-uri &#39;none&#39;; form-action &#39;none&#39;\""));
+  CHECK(count(page, "url(") == count(page, "url(data:image/png;base64,"));
+  CHECK(count(page, "href=") == count(page, "href=\"#"));
+  for (const char* way_out : {"src=", "http:", "https:", "<script", "<link", "@import", "<iframe"}) {
+    CAPTURE(way_out);
+    CHECK_FALSE(contains(page, way_out));
+  }
+}
+
+TEST_CASE("a page holds every picture once, wherever it is shown") {
+  const std::string page = ResultFolder().page();
+  for (const char* content : {"reference", "point", "absolute"}) {
+    CAPTURE(content);
+    CHECK(count(page, base64(png(64, 48, content))) == 1);
+  }
+  CHECK(count(page, "class=\"picture p1\"") == 4);  // pixel for pixel, magnified, and both of it in one place
+}
+
+TEST_CASE("what comes from data is shown as text") {
+  const std::string page = ResultFolder().page();
+  CHECK(contains(page, "<h1>Is 1 &lt; 2 &amp; &quot;3&quot;?</h1>"));
+  CHECK(contains(page, "&lt;b&gt;bad&lt;/b&gt; &quot;one&quot;"));
+  CHECK(contains(page, "it threw: &lt;oops&gt; &amp; more"));
+  CHECK_FALSE(contains(page, "<b>bad"));
+  CHECK_FALSE(contains(page, "<oops>"));
+}
+
+TEST_CASE("links within a page lead somewhere") {
+  const std::string page = ResultFolder().page();
+  for (auto at = page.find("href=\"#"); at != std::string::npos; at = page.find("href=\"#", at + 1)) {
+    const std::string anchor = page.substr(at + 7, page.find('"', at + 7) - at - 7);
+    CAPTURE(anchor);
+    CHECK(count(page, " id=\"" + anchor + '"') == 1);
+  }
+}
+
+TEST_CASE("a picture that is missing, and a contender that was not rendered, are said to be so") {
+  const ResultFolder folder;
+  const std::string page = folder.page();
+  CHECK(contains(page, (folder.path() / "images/hill/area.png").string() +
+                           ": cannot be read (No such file or directory); a readable file is needed"));
+  CHECK(contains(page, "not rendered in this run"));
+}
+
+TEST_CASE("a file that is no PNG is said to be none") {
+  const ResultFolder folder;
+  write_whole_file(folder.path() / "images/hill/area.png", "GIF89a");
+  CHECK(contains(folder.page(), "area.png: is no PNG (6 bytes); run the experiment again to write it anew"));
+}
+
+TEST_CASE("a page shows no file from outside its folder") {
+  Results results = test::sample_results();
+  results.images[0].file = "images/../../secret.png";
+  const ResultFolder folder(results);
+  CHECK(contains(folder.page(), "images/../../secret.png: is not shown (it lies outside " + folder.path().string() +
+                                    "); pictures lie below the result folder"));
+}
+
+TEST_CASE("error maps of one scene that have different scales are refused") {
+  Results results = test::sample_results();
+  results.images.push_back({"hill, steep", "area", "error_absolute", "images/hill/point_absolute.png", 41});
+  const ResultFolder folder(results);
+  CHECK(test::message_of([&] { folder.page(); }) ==
+        "results.json: the scale of images/hill/point_absolute.png is 41 (others of error_absolute on \"hill, steep\" "
+        "have 40); "
+        "one scene has one scale");
+}
+
+TEST_CASE("an interrupted run says so, a whole one does not") {
+  Results results = test::sample_results();
+  CHECK_FALSE(contains(ResultFolder(results).page(), "This run was interrupted."));
+  results.interrupted = true;
+  CHECK(contains(ResultFolder(results).page(), "This run was interrupted."));
+}
+
+TEST_CASE("the detail is the window that the run chose, or the middle of the image") {
+  Results results = test::sample_results();
+  CHECK(contains(ResultFolder(results).page(), "The framed window of 16 \u00d7 16 pixels at (8, 0)."));
+  results.scenes[0].detail_window = {60, 0, 16, 16};
+  CHECK(contains(ResultFolder(results).page(), "The framed window of 48 \u00d7 48 pixels at (8, 0)."));
+}
+
+TEST_CASE("bytes as base64 are as in RFC 4648, section 10") {
+  CHECK(base64("") == "");
+  CHECK(base64("f") == "Zg==");
+  CHECK(base64("fo") == "Zm8=");
+  CHECK(base64("foo") == "Zm9v");
+  CHECK(base64("foobar") == "Zm9vYmFy");
+}
+
+}  // namespace moire::report
