@@ -172,11 +172,11 @@ Markup one_over_the_other(const ReportData& data, const SceneView& view, std::si
     stack += tag("div", {{"class", "layer"}},
                  whole_picture(data, panel, view.scene.name + " by " + panel.name) + picture_detail(data, panel, view));
   }
-  return tag("h3", "In one place") +
-         tag("p", {{"class", "note"}},
-             "Choose one and press the arrow keys: what changes from method to method catches the eye.") +
-         tag("div", {{"class", "flip"}},
-             tag("fieldset", tag("legend", "Shown") + choices) + tag("div", {{"class", "stack"}}, stack));
+  const Markup note = "Choose one and press the arrow keys: what changes from method to method catches the eye.";
+  return tag("div", {{"class", "in-one-place"}},
+             tag("h3", "In one place") + tag("p", {{"class", "note"}}, note) +
+                 tag("div", {{"class", "flip"}},
+                     tag("fieldset", tag("legend", "Shown") + choices) + tag("div", {{"class", "stack"}}, stack)));
 }
 
 Markup picture_row(const ReportData& data, const PictureRow& row) {

@@ -37,14 +37,14 @@ Rectangle box_beside(const LabelWish& wish, double height, Point direction, doub
 struct Surroundings {
   const Rectangle& bounds;
   std::vector<Rectangle> points;
-  std::span<const Rectangle> lines;
+  std::span<const Rectangle> obstacles;
   std::vector<Rectangle> labels;
 
   double cost(const Rectangle& box) const {
     double sum = 1e4 * outside(box, bounds);
     for (const Rectangle& label : labels) sum += 100 * overlap(box, label);
     for (const Rectangle& point : points) sum += 50 * overlap(box, point);
-    for (const Rectangle& line : lines) sum += 10 * overlap(box, line);
+    for (const Rectangle& obstacle : obstacles) sum += 10 * overlap(box, obstacle);
     return sum;
   }
 };
@@ -68,8 +68,8 @@ PlacedLabel cheapest(const LabelWish& wish, double height, const Surroundings& a
 }  // namespace
 
 std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, double height, const Rectangle& bounds,
-                                      std::span<const Rectangle> lines) {
-  Surroundings around{bounds, {}, lines, {}};
+                                      std::span<const Rectangle> obstacles) {
+  Surroundings around{bounds, {}, obstacles, {}};
   for (const LabelWish& wish : wishes) {
     const Point p = wish.point;
     around.points.push_back({p.x - point_radius, p.y - point_radius, p.x + point_radius, p.y + point_radius});

@@ -19,8 +19,8 @@ struct PlacedLabel {
 };
 
 // Greedy: each label takes the place around its point that costs least, those before it staying where they are.
-// Covering a label costs most, then a point, then a line; then distance. `lines` are thin rectangles to keep clear of.
+// Covering a label costs most, then a point, then an obstacle; then distance.
 std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, double height, const Rectangle& bounds,
-                                      std::span<const Rectangle> lines);
+                                      std::span<const Rectangle> obstacles);
 
 }  // namespace moire::report

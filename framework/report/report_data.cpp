@@ -108,21 +108,15 @@ PictureRow image_row(const ReportData& data, const SceneView& view, Album& album
   return row;
 }
 
-void check_scale(const PictureRow& row, const ImageResult& image) {
-  if (row.scale == image.scale) return;
-  throw Error(
-      fmt::format("results.json: the scale of {} is {} (others of {} on \"{}\" have {}); one scene has one scale",
-                  image.file.generic_string(), image.scale, image.kind, image.scene, row.scale));
-}
-
-// Of each kind but "image", in order of appearance.
+// Of each kind but "image", in order of appearance. Pictures of another scale make a row of their own, under its own
+// scale.
 std::vector<PictureRow> other_rows(const ReportData& data, const SceneView& view, Album& album) {
   std::vector<PictureRow> rows;
   for (const ImageResult& image : data.results.images) {
     if (image.scene != view.scene.name || image.kind == "image") continue;
-    auto row = std::find_if(rows.begin(), rows.end(), [&](const PictureRow& r) { return r.kind == image.kind; });
+    auto row = std::find_if(rows.begin(), rows.end(),
+                            [&](const PictureRow& r) { return r.kind == image.kind && r.scale == image.scale; });
     if (row == rows.end()) row = rows.insert(row, {image.kind, image.scale, {}});
-    check_scale(*row, image);
     row->panels.push_back(panel_of(data, view, image.sampler));
     album.put(row->panels.back(), image.file);
   }

@@ -53,7 +53,7 @@ struct ReportData {
 };
 
 // Reads a result folder. A picture that is missing or broken becomes a panel's problem. Error: results that cannot be
-// read or contradict themselves.
+// read.
 ReportData read_report_data(const std::filesystem::path& folder);
 
 }  // namespace moire::report

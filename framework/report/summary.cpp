@@ -52,7 +52,8 @@ std::vector<TextRow> text_rows(const MetricTable& table) {
   }
   for (const Line& line : table.lines) {
     TextRow row{line.is_contender ? line.sampler : "(" + line.sampler + ")"};
-    for (const Cell& cell : line.cells) row.push_back(line.failure.empty() ? cell_text(cell) : "failed ");
+    for (const Cell& cell : line.cells)
+      row.push_back(cell.value.empty() && !line.failure.empty() ? "failed " : cell_text(cell));
     rows.push_back(std::move(row));
   }
   return rows;

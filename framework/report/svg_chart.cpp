@@ -136,33 +136,38 @@ class Drawing {
       texts.push_back(p.y == 0 ? p.label + " (0)" : p.label);
       wishes.push_back({place(p), text_width(texts.back())});
     }
-    const auto placed = place_labels(wishes, label_height, plot, front_lines());
-    Markup out;
-    for (std::size_t i = 0; i < placed.size(); ++i)
-      out += label(placed[i], wishes[i].point, texts[i], is_front_[order[i]]);
-    return out;
+    const auto placed = place_labels(wishes, label_height, plot, obstacles());
+    Markup leaders, out;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      if (placed[i].needs_leader) leaders += leader(placed[i].box, wishes[i].point);
+      out += label(placed[i].box, wishes[i].point, texts[i], is_front_[order[i]]);
+    }
+    return leaders + out;
+  }
+
+  static Markup leader(const Rectangle& box, Point point) {
+    return line("leader", point, {std::clamp(point.x, box.x0, box.x1), std::clamp(point.y, box.y0 + 3, box.y1 - 3)});
   }
 
   // The text ends at the side that faces its point, so that a wrong guess at its width shows at the far side only.
-  static Markup label(const PlacedLabel& place, Point point, const std::string& content, bool is_front) {
-    const Rectangle& box = place.box;
+  static Markup label(const Rectangle& box, Point point, const std::string& content, bool is_front) {
     const std::string anchor = point.x < box.x0 ? "start" : point.x > box.x1 ? "end" : "middle";
     const double x = anchor == "start" ? box.x0 : anchor == "end" ? box.x1 : (box.x0 + box.x1) / 2;
-    Markup out;
-    if (place.needs_leader) {
-      out += line("leader", point, {std::clamp(point.x, box.x0, box.x1), std::clamp(point.y, box.y0 + 3, box.y1 - 3)});
-    }
-    return out + tag("text",
-                     {{"class", is_front ? "label" : "label dominated"},
-                      {"text-anchor", anchor},
-                      {"x", coordinate(x)},
-                      {"y", coordinate(box.y1 - 4)}},
-                     content);
+    return tag("text",
+               {{"class", is_front ? "label" : "label dominated"},
+                {"text-anchor", anchor},
+                {"x", coordinate(x)},
+                {"y", coordinate(box.y1 - 4)}},
+               content);
   }
 
-  std::vector<Rectangle> front_lines() const {
+  // What labels keep clear of.
+  std::vector<Rectangle> obstacles() const {
     const auto corners = front_corners();
     std::vector<Rectangle> lines;
+    if (chart_.floor > y_.low) {
+      lines.push_back({plot.x1 - 8 - text_width(chart_.floor_label), plot.y1 - 8 - label_height, plot.x1, plot.y1});
+    }
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const Point &a = corners[i - 1], &b = corners[i];
       lines.push_back({std::min(a.x, b.x) - 1, std::min(a.y, b.y) - 1, std::max(a.x, b.x) + 1, std::max(a.y, b.y) + 1});
