@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <moire/plugin.h>
@@ -26,6 +27,10 @@ struct Plugin {
 
 class Catalog {
  public:
+  Catalog() = default;
+  // Of plugins in memory, for tests. Requires: in the order of their names.
+  explicit Catalog(std::vector<Plugin> plugins) : plugins_(std::move(plugins)) {}
+
   // Opens every *.so of the folders. Error: a folder that is missing, files that are no plugins of this interface, two
   // of one name; all of them in one message, a line each.
   static Catalog open(std::span<const std::filesystem::path> folders);
@@ -37,7 +42,8 @@ class Catalog {
   std::vector<Plugin> plugins_;
 };
 
-// The folders to look in: beside the program, then each of MOIRE_PLUGIN_PATH (separated by ':'), then `extra`.
+// The folders to look in, each once: ../lib/moire/plugins beside the program if it exists, then each of
+// MOIRE_PLUGIN_PATH (separated by ':'), then `extra` (of --plugins). Error: one of the latter two is no folder.
 std::vector<std::filesystem::path> plugin_folders(std::span<const std::filesystem::path> extra);
 
 }  // namespace moire
