@@ -1,3 +1,4 @@
+// Plugins open, and what is wrong with some never ends the process or hides what is wrong with others.
 #include "loading/catalog.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Where plugins are looked for, in which order, and who is told of a missing folder.
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>
 #include <optional>

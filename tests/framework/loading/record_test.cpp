@@ -1,3 +1,4 @@
+// What is found out about a plugin before it is opened: the bytes of a good one are changed in one place each.
 #include "loading/record.h"
 
 #include <elf.h>

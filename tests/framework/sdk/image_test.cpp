@@ -1,3 +1,4 @@
+// Images come back as they were stored, faulty files as messages, and OpenImageIO only when it is needed.
 #include <moire/image.h>
 
 #include <sys/resource.h>
@@ -17,6 +18,10 @@
 #include "output_of.h"
 #include "temporary_folder.h"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 using moire::Color;
 using moire::Depth;
 using moire::Image;
@@ -30,6 +35,15 @@ using moire::test::TemporaryFolder;
 namespace {
 
 namespace fs = std::filesystem;
+
+// The message about an image that ends too early. OpenImageIO 2.4's PNG reader leaks an error text then: libpng jumps
+// over its destructor. What is allocated here is not reported as a leak.
+std::string message_of_reading(const fs::path& file) {
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler leaks_allowed;
+#endif
+  return message_of([&] { moire::read_image(file); });
+}
 
 // Colours without pattern, so that no compression makes them small.
 std::vector<Color> noise(int width, int height) {
@@ -172,7 +186,7 @@ TEST_CASE("files that are no images are errors") {
   const TemporaryFolder folder;
   for (const std::string bytes : {"", "some text\n", "\x89PNG\r\n\x1a\n"}) {
     const fs::path file = folder.file("a.png", bytes);
-    const std::string message = message_of([&] { moire::read_image(file); });
+    const std::string message = message_of_reading(file);
     CHECK(message.starts_with(file.string() + ": cannot be read as an image ("));
     CHECK(message.ends_with("); any format that OpenImageIO knows will do"));
     CHECK(message.find('\n') == message.npos);
@@ -187,7 +201,7 @@ TEST_CASE("images that are cut short are errors, not images with rows made up") 
     const std::string whole = bytes_of(folder.path() / ("whole" + extension));
     for (const std::size_t length : {whole.size() / 2, whole.size() - 100}) {
       const fs::path file = folder.file("cut" + extension, whole.substr(0, length));
-      const std::string message = message_of([&] { moire::read_image(file); });
+      const std::string message = message_of_reading(file);
       CHECK(message.starts_with(file.string() + ": is damaged or cut short ("));
       CHECK(message.ends_with("); get the file again"));
       CHECK(message.find('\n') == message.npos);

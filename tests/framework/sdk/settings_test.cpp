@@ -1,3 +1,4 @@
+// Settings follow their table, and what a plugin asks for wrongly is told to its author.
 #include <moire/settings.h>
 
 #include <catch2/catch_test_macros.hpp>
