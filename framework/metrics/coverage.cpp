@@ -68,10 +68,13 @@ void pair_up(std::span<const ElementWeight> own, std::span<const ElementWeight> 
   }
 }
 
-std::size_t distinct(std::vector<Element>& elements) {
-  std::sort(elements.begin(), elements.end());
-  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-  return elements.size();
+// Each element once, and of the sampled ones those that are visible.
+void keep_distinct(std::vector<Element>& visible, std::vector<Element>& sampled) {
+  for (std::vector<Element>* elements : {&visible, &sampled}) {
+    std::sort(elements->begin(), elements->end());
+    elements->erase(std::unique(elements->begin(), elements->end()), elements->end());
+  }
+  std::erase_if(sampled, [&](Element e) { return !std::binary_search(visible.begin(), visible.end(), e); });
 }
 
 class Coverage final : public Metric {
@@ -99,11 +102,12 @@ class Coverage final : public Metric {
           if (exact_weight == 0) sums.leak += weight;
           if (element == background) return;
           if (exact_weight != 0) visible.push_back(element);
-          if (exact_weight != 0 && weight != 0) sampled.push_back(element);
+          if (weight != 0 && (exact_weight != 0 || against_ == Against::column)) sampled.push_back(element);
         });
       }
-      sums.visible = against_ == Against::column ? distinct(visible) : visible.size();
-      sums.sampled = against_ == Against::column ? distinct(sampled) : sampled.size();
+      if (against_ == Against::column) keep_distinct(visible, sampled);
+      sums.visible = visible.size();
+      sums.sampled = sampled.size();
     }
   }
 

@@ -4,11 +4,11 @@
 
 namespace moire {
 
-std::span<const MetricEntry> metric_entries() {
+std::span<const RegisteredMetric> registered_metrics() {
   static constexpr std::array entries{
-      MetricEntry{&error_description, make_error},
-      MetricEntry{&coverage_description, make_coverage},
-      MetricEntry{&speed_description, nullptr},
+      RegisteredMetric{&error_description, make_error},
+      RegisteredMetric{&coverage_description, make_coverage},
+      RegisteredMetric{&speed_description, nullptr},
   };
   return entries;
 }
@@ -16,7 +16,7 @@ std::span<const MetricEntry> metric_entries() {
 std::span<const MetricDescription* const> metric_descriptions() {
   static const auto descriptions = [] {
     std::vector<const MetricDescription*> result;
-    for (const MetricEntry& entry : metric_entries()) result.push_back(entry.description);
+    for (const RegisteredMetric& entry : registered_metrics()) result.push_back(entry.description);
     return result;
   }();
   return descriptions;

@@ -8,13 +8,13 @@
 
 namespace moire {
 
-struct MetricEntry {
+struct RegisteredMetric {
   const MetricDescription* description;
   // Null: the pass does not judge one contender after another; the runner measures all of a scene together (speed).
   std::unique_ptr<Metric> (*make)(const Settings&);
 };
 
-std::span<const MetricEntry> metric_entries();
+std::span<const RegisteredMetric> registered_metrics();
 std::span<const MetricDescription* const> metric_descriptions();
 
 extern const MetricDescription error_description, coverage_description, speed_description;

@@ -9,7 +9,7 @@
 
 #include <moire/error.h>
 
-#include "report/detail_window.h"
+#include "run/detail_window.h"
 #include "report/json.h"
 #include "report/numbers.h"
 

@@ -17,7 +17,8 @@ namespace {
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw Error(fmt::format("{}: cannot be made ({}); name another folder with -o", folder.string(), error.message()));
+  if (error)
+    throw Error(fmt::format("{}: cannot be made ({}); name another folder with -o", folder.string(), error.message()));
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ class ResultFolder final : public Sink {
   const std::filesystem::path& path() const { return folder_; }
 
   std::filesystem::path picture(const std::string& scene, const std::string& sampler, const Picture& picture) override;
-  std::filesystem::path map(const std::string& scene, const std::string& sampler, ImageSize size, const Map& map) override;
+  std::filesystem::path map(const std::string& scene, const std::string& sampler, ImageSize size,
+                            const Map& map) override;
   void save(const Results& results) override;
 
   // The experiment with every default filled in.

@@ -12,7 +12,8 @@
 
 namespace moire {
 
-// One number. low and high: a spread or an interval, NaN where there is none. A value that could not be computed is NaN.
+// One number. low and high: a spread or an interval, NaN where there is none. A value that could not be computed is
+// NaN.
 struct Row {
   std::string scene, sampler, metric;
   double value = std::numeric_limits<double>::quiet_NaN();
@@ -24,12 +25,12 @@ struct Row {
 struct SceneResult {
   std::string name, type, version;
   nlohmann::ordered_json settings;
-  std::string reference;            // recipe: "area[method=line,lines=32,layout=radial], hierarchy=false"
+  std::string reference;  // recipe: "area[method=line,lines=32,layout=radial], hierarchy=false"
   double reference_error = std::numeric_limits<double>::quiet_NaN();  // rmse, in units of error.rmse; NaN: no reference
-  std::string reference_error_how;  // how that number was got, one sentence
-  std::filesystem::path reference_image;  // below the result folder; empty if none
-  std::array<int, 4> detail_window{};     // x, y, width, height: what reports magnify; all 0: the middle of the image
-  std::string summary;                    // the plugin's sentence on what it is
+  std::string reference_error_how;                                    // how that number was got, one sentence
+  std::filesystem::path reference_image;                              // below the result folder; empty if none
+  std::array<int, 4> detail_window{};  // x, y, width, height: what reports magnify; all 0: the middle of the image
+  std::string summary;                 // the plugin's sentence on what it is
 };
 
 struct ContenderResult {
@@ -41,9 +42,9 @@ struct ContenderResult {
 // A picture of one contender on one scene.
 struct ImageResult {
   std::string scene, sampler;
-  std::string kind;             // "image", "error_absolute", "error_signed"
-  std::filesystem::path file;   // a PNG below the result folder; an EXR of the same name may lie beside it
-  double scale = 0;             // of error maps: the value (in units of error.rmse) at the end of the colour scale
+  std::string kind;            // "image", "error_absolute", "error_signed"
+  std::filesystem::path file;  // a PNG below the result folder; an EXR of the same name may lie beside it
+  double scale = 0;            // of error maps: the value (in units of error.rmse) at the end of the colour scale
 };
 
 // A contender that did not finish on a scene, and why.

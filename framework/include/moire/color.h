@@ -10,8 +10,8 @@ struct Color {
   float r = 0, g = 0, b = 0;
 
   friend bool operator==(const Color&, const Color&) = default;
-  friend Color operator+(Color a, Color b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-  friend Color operator-(Color a, Color b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
+  friend Color operator+(Color p, Color q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
+  friend Color operator-(Color p, Color q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
   friend Color operator*(float f, Color c) { return {f * c.r, f * c.g, f * c.b}; }
 };
 

@@ -152,6 +152,12 @@ class PixelBlock : public Tally, public PixelArea {
       : Tally(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), recording),
         PixelArea(area) {}
 
+  // Becomes an empty block of other pixels.
+  void move_to(PixelArea area) {
+    static_cast<PixelArea&>(*this) = area;
+    reset(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+  }
+
   std::size_t slot(int x, int y) const {
     return static_cast<std::size_t>(x - x0) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y - y0);
   }

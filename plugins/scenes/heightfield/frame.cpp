@@ -1,12 +1,10 @@
 #include "frame.h"
 
-#include <moire/error.h>
+#include <type_traits>
 
 namespace heightfield {
 
 namespace {
-
-moire::Color color_of(const Cell& cell) { return {cell.rgb[0], cell.rgb[1], cell.rgb[2]}; }
 
 // Calls work(constant) with the walk chosen once, outside the loops.
 template <class Work>
@@ -20,50 +18,10 @@ void with_walk(bool grid, Work work) {
 
 }  // namespace
 
-// Calls met(k, walk, voxel, direction, slope) or missed(k) for each point.
-template <bool grid, class Met, class Missed>
-void HeightfieldFrame::rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met,
-                            Missed missed) const {
-  Walk<grid> walk(view_);
-  bool walking = false;
-  moire::SamplePoint last;
-  counters.queries += points.size();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const moire::SamplePoint& point = points[k];
-    const Direction direction = camera_.direction(point.x, point.y);
-    const Plane plane = plane_of(direction);
-    const double slope = direction.z / std::max(plane.along(direction), least_advance);
-
-    const bool resumes = walking && manner_.resume && point.y <= last.y && std::abs(point.x - last.x) <= 1 &&
-                         plane.same_octant(walk.plane()) && camera_.rises_upward(point.y) &&
-                         camera_.rises_upward(last.y);
-    if (resumes) {
-      walk.turn(plane, manner_.retrace);
-    } else {
-      walk.start(plane, slope);
-    }
-    walking = true;
-    last = point;
-
-    bool hit = false;
-    walk.climb(slope, [&](const Voxel& voxel, double&) {
-      counters.steps += walk.count(voxel);
-      hit = true;
-      met(k, walk, voxel, direction, slope);
-      return false;
-    });
-    if (hit) {
-      ++counters.hits;
-    } else {
-      missed(k);
-    }
-  }
-}
-
 void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
                              moire::Counters& counters) const {
-  with_walk(manner_.grid, [&](auto grid) {
-    rays<grid()>(
+  with_walk(look_.manner().grid, [&](auto grid) {
+    look_.rays<grid()>(
         points, counters,
         [&](std::size_t k, const auto& walk, const Voxel& voxel, const Direction&, double) {
           hits[k] = {walk.element(voxel), color_of(*voxel.cell)};
@@ -74,155 +32,43 @@ void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::sp
   });
 }
 
-// Calls add(slot, weight, walk, voxel, direction) for each visible run, voxel null for the sky.
-template <bool grid, class Add>
-void HeightfieldFrame::stretches(moire::Point from, moire::Point to, std::span<const double> cuts,
-                                 moire::Counters& counters, Add add) const {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
-  const Direction start = camera_.direction(from.x, from.y);
-  const Direction step = ux * camera_.right() + uy * camera_.down();  // a pixel along the line
-
-  // A line through the nadir point lies in one vertical plane, best known at its end far from there.
-  const moire::Pole nadir = camera_.nadir();
-  const double off = (nadir.x - from.x * nadir.w) * uy - (nadir.y - from.y * nadir.w) * ux;
-  const bool radial = std::abs(off) <= 1e-9 * (std::abs(nadir.x) + std::abs(nadir.y) + size_.width * std::abs(nadir.w));
-  const bool upright = from.x == to.x;
-  if (!radial && !upright) {
-    throw moire::Error("heightfield: an image line is neither upright nor through the nadir point");
-  }
-  const Direction end = start + length * step;
-  const Plane radial_plane = plane_of(std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end);
-
-  Walk<grid> walk(view_);
-  bool walking = false;
-  double reached = 0;  // where the last stretch ended
-  const auto look_along = [&](std::size_t slot, double t0, double t1) {
-    const double middle = (t0 + t1) / 2;
-    const Direction direction = start + middle * step;
-    const Plane plane = radial ? radial_plane : plane_of(direction);
-    const double p0 = plane.along(start), p1 = plane.along(step);
-    const auto slope_at = [&](double t) { return (start.z + t * step.z) / std::max(p0 + t * p1, least_advance); };
-    double s0 = slope_at(t0), s1 = slope_at(t1);
-    const bool rises = s0 <= s1;
-    if (!rises) std::swap(t0, t1), std::swap(s0, s1);
-
-    if (walking && manner_.resume && rises && t0 == reached && plane.same_octant(walk.plane())) {
-      walk.turn(plane, manner_.retrace);
-    } else {
-      walk.start(plane, s0);
-    }
-    walking = true;
-    reached = t1;
-    ++counters.queries;
-
-    double t = t0;
-    const auto deposit = [&](double until, const Voxel* voxel) {
-      const double weight = rises ? until - t : t - until;
-      if (weight > 0) add(slot, weight, walk, voxel, direction);
-      t = until;
-    };
-    walk.climb(s0, [&](const Voxel& voxel, double& slope) {
-      counters.steps += walk.count(voxel);
-      ++counters.hits;
-      const double top = voxel.cell->height - view_.z;
-      if (top >= s1 * (s1 < 0 ? voxel.x1 : voxel.x0)) {
-        deposit(t1, &voxel);
-        return false;
-      }
-      // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near one.
-      const double x = top < 0 ? voxel.x1 : voxel.x0;
-      const double until = (top * p0 - start.z * x) / (step.z * x - top * p1);
-      deposit(rises ? std::clamp(until, t, t1) : std::clamp(until, t1, t), &voxel);
-      slope = std::min(top / x, s1);
-      return true;
-    });
-    if (t != t1) deposit(t1, nullptr);
-  };
-
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const double t0 = cuts[i], t1 = cuts[i + 1];
-    if (!(t0 < t1)) continue;
-    const bool turns = camera_.rises_upward(from.y + t0 * uy) != camera_.rises_upward(from.y + t1 * uy);
-    if (turns && upright) {  // the nadir or zenith point lies at the height of this stretch
-      const double split = std::clamp((nadir.y / nadir.w - from.y) / uy, t0, t1);
-      look_along(i, t0, split);
-      look_along(i, split, t1);
-    } else {
-      look_along(i, t0, t1);
-    }
-  }
-}
-
 void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const double> cuts,
                              const moire::Lookup* lookup, moire::Tally& pieces) const {
-  with_walk(manner_.grid, [&](auto grid) {
+  with_walk(look_.manner().grid, [&](auto grid) {
     if (lookup) {
-      stretches<grid()>(from, to, cuts, pieces.counters,
-                        [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction& d) {
-                          if (!voxel) return pieces.add(slot, moire::background, weight, sky_);
-                          const double middle = (voxel->x0 + voxel->x1) / 2;
-                          lookup->deposit(surface_point(walk, *voxel, middle, d), texture_, weight, pieces, slot);
-                        });
+      look_.stretches<grid()>(
+          from, to, cuts, pieces.counters,
+          [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction& d) {
+            if (!voxel) return pieces.add(slot, moire::background, weight, sky_);
+            const double middle = (voxel->x0 + voxel->x1) / 2;
+            lookup->deposit(look_.surface_point(walk, *voxel, middle, d), texture_, weight, pieces, slot);
+          });
       return;
     }
     pieces.fill([&](auto add) {
-      stretches<grid()>(from, to, cuts, pieces.counters,
-                        [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction&) {
-                          if (!voxel) return add(slot, moire::background, weight, sky_);
-                          add(slot, walk.element(*voxel), weight, color_of(*voxel->cell));
-                        });
+      look_.stretches<grid()>(
+          from, to, cuts, pieces.counters,
+          [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction&) {
+            if (!voxel) return add(slot, moire::background, weight, sky_);
+            add(slot, walk.element(*voxel), weight, color_of(*voxel->cell));
+          });
     });
   });
 }
 
 void HeightfieldFrame::locate(std::span<const moire::SamplePoint> points, std::span<moire::SurfacePoint> out,
                               moire::Counters& counters) const {
-  with_walk(manner_.grid, [&](auto grid) {
-    rays<grid()>(
+  with_walk(look_.manner().grid, [&](auto grid) {
+    look_.rays<grid()>(
         points, counters,
         [&](std::size_t k, const auto& walk, const Voxel& voxel, const Direction& direction, double slope) {
-          const double top = voxel.cell->height - view_.z;
-          const double x = slope < 0 ? std::clamp(top / slope, voxel.x0, voxel.x1) : voxel.x0;
-          out[k] = surface_point(walk, voxel, x, direction);
+          const double x = look_.meeting(voxel, slope);
+          out[k] = look_.surface_point(walk, voxel, x, direction);
         },
         [&](std::size_t k) {
           out[k] = {.hit = {moire::background, sky_}};
         });
   });
-}
-
-// The place on the texture of the track's point at distance x over a voxel. It stays inside the voxel, walls included.
-template <bool grid>
-moire::SurfacePoint HeightfieldFrame::surface_point(const Walk<grid>& walk, const Voxel& voxel, double x,
-                                                    Direction d) const {
-  const moire::TexelIndex at = walk.index(voxel);
-  const double width = std::ldexp(1.0, at.level), inset = width * 1e-9;
-  const Plane& plane = walk.plane();
-  const double p = plane.flip_p ? -x : x;
-  const double q = plane.flip_q ? -x * plane.m : x * plane.m;
-  const auto inside = [&](double coordinate, std::int64_t texel) {
-    const double low = static_cast<double>(texel) * width;
-    return std::clamp(coordinate, low + inset, low + width - inset);
-  };
-  moire::SurfacePoint point;
-  point.hit = {walk.element(voxel), color_of(*voxel.cell)};
-  point.textured = true;
-  point.level = at.level;
-  point.s = inside(view_.x + (plane.swapped ? q : p), at.i);
-  point.t = inside(view_.y + (plane.swapped ? p : q), at.j);
-
-  // How the ray's meeting point with the horizontal plane at this height moves.
-  const double top = voxel.cell->height - view_.z;
-  if (d.z != 0) {
-    const auto moved = [&](const Direction& change, float& ds, float& dt) {
-      ds = static_cast<float>(top / d.z * (change.x - d.x / d.z * change.z));
-      dt = static_cast<float>(top / d.z * (change.y - d.y / d.z * change.z));
-    };
-    moved(camera_.right(), point.ds_dx, point.dt_dx);
-    moved(camera_.down(), point.ds_dy, point.dt_dy);
-  }
-  return point;
 }
 
 }  // namespace heightfield

@@ -20,7 +20,7 @@ constexpr moire::Parameter parameters[] = {
     choice("generate", "fractal", "fractal", "the terrain made where no height image is given"),
     integer("size", 1024, 1, 8192, "voxels", "side of a generated terrain"),
     integer("seed", 1, 0, std::int64_t{1} << 53, "", "which generated terrain"),
-    real("relief", 110, 0, 1e6, "units", "height of a generated terrain's summits above its lowlands"),
+    real("relief", 100, 0, 1e6, "units", "height of a generated terrain's summits above its lowlands"),
     choice("grid", "height", "height color",
            "the image whose pixels are the voxels; the other one is averaged over them"),
     real("spacing", 1, 1e-9, 1e9, "units", "side of a voxel from west to east"),
@@ -40,10 +40,10 @@ constexpr moire::Parameter parameters[] = {
     real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, rounded down to a power of two")
         .per_frame(),
     real("view.x", 512, -1e9, 1e9, "units", "camera, eastward from the north-west corner").per_frame(),
-    real("view.y", 512, -1e9, 1e9, "units", "camera, southward from the north-west corner").per_frame(),
-    real("view.height", 180, -1e9, 1e9, "units", "camera above datum, where heights are 0").per_frame(),
-    real("view.yaw_deg", 0, -1e6, 1e6, "degrees", "direction of view: 0 east, 90 south").per_frame(),
-    real("view.pitch_deg", -20, -90, 90, "degrees", "direction of view above the horizontal").per_frame(),
+    real("view.y", 980, -1e9, 1e9, "units", "camera, southward from the north-west corner").per_frame(),
+    real("view.height", 120, -1e9, 1e9, "units", "camera above datum, where heights are 0").per_frame(),
+    real("view.yaw_deg", -90, -1e6, 1e6, "degrees", "direction of view: 0 east, 90 south").per_frame(),
+    real("view.pitch_deg", -14, -90, 90, "degrees", "direction of view above the horizontal").per_frame(),
     real("view.fov_deg", 50, 0.01, 170, "degrees", "angle of view across the width of the image").per_frame(),
 };
 
@@ -85,7 +85,7 @@ class Heightfield final : public moire::Scene {
               level_starts(voxels_, camera, settings)};
     const Manner manner{settings.text("walk") == "grid", settings.text("coherence") == "resume",
                         static_cast<int>(settings.integer("retrace"))};
-    return std::make_unique<HeightfieldFrame>(size, std::move(view), camera, manner,
+    return std::make_unique<HeightfieldFrame>(Look(size, std::move(view), camera, manner),
                                               moire::parse_color(settings.text("sky")), texture_);
   }
 

@@ -6,7 +6,7 @@
 #include <moire/error.h>
 #include <moire/image.h>
 
-#include "fractal.h"
+#include "fractal/fractal.h"
 
 namespace heightfield {
 

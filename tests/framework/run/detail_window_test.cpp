@@ -1,10 +1,10 @@
-#include "report/detail_window.h"
+#include "run/detail_window.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <vector>
 
-namespace moire::report {
+namespace moire {
 
 using Window = std::array<int, 4>;
 
@@ -30,4 +30,4 @@ TEST_CASE("a window is never larger than the image") {
   CHECK(middle_window({3, 200}) == Window{0, 76, 3, 48});
 }
 
-}  // namespace moire::report
+}  // namespace moire

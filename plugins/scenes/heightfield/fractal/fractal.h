@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "terrain.h"
+#include "../terrain.h"
 
 namespace heightfield {
 

@@ -1,11 +1,11 @@
 // The part of a picture that is worth magnifying.
-#include "report/detail_window.h"
+#include "run/detail_window.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace moire::report {
+namespace moire {
 namespace {
 
 // sums(x, y) is the sum of all values left of x and above y.
@@ -59,4 +59,4 @@ std::array<int, 4> middle_window(ImageSize size, int side) {
   return {(size.width - width) / 2, (size.height - height) / 2, width, height};
 }
 
-}  // namespace moire::report
+}  // namespace moire

@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+
+namespace moire::app {
+
+namespace {
+
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+struct Section {
+  std::string title;
+  Entries entries;  // name and summary
+};
+
+Entries plugins(const Session& session, Kind kind) {
+  Entries entries;
+  for (const Plugin* plugin : session.catalog.all(kind)) entries.emplace_back(plugin->name, plugin->summary());
+  return entries;
+}
+
+std::vector<Section> sections(const Session& session) {
+  Entries metrics, lookups;
+  for (const MetricDescription* metric : session.vocabulary.metrics)
+    metrics.emplace_back(metric->name, metric->summary);
+  for (const NamedSummary& lookup : session.vocabulary.lookups) lookups.emplace_back(lookup.name, lookup.summary);
+  return {{"samplers", plugins(session, Kind::sampler)},
+          {"scenes", plugins(session, Kind::scene)},
+          {"metrics", metrics},
+          {"lookups", lookups}};
+}
+
+// Why a sampler cannot run on a scene, both with their default settings; empty where it can.
+std::string refusal(const Session& session, const Plugin& scene, const Plugin& sampler) {
+  return mismatch({scene.name, &scene, Settings(scene.parameters())},
+                  {sampler.name, &sampler, Settings(sampler.parameters()), std::string(sampler.sampler->lookup)},
+                  session.vocabulary);
+}
+
+void print_pairs(const Session& session) {
+  fmt::print("\nwhich sampler runs on which scene (with default settings)\n");
+  for (const Plugin* sampler : session.catalog.all(Kind::sampler)) {
+    fmt::print("  {:<16}", sampler->name);
+    for (const Plugin* scene : session.catalog.all(Kind::scene)) {
+      fmt::print(" {}{}", refusal(session, *scene, *sampler).empty() ? "" : "not ", scene->name);
+    }
+    fmt::print("\n");
+  }
+}
+
+nlohmann::ordered_json as_json_object(const Session& session, const std::vector<Section>& all) {
+  nlohmann::ordered_json json;
+  for (const Section& section : all) {
+    for (const auto& [name, summary] : section.entries)
+      json[section.title].push_back({{"name", name}, {"summary", summary}});
+  }
+  for (const Plugin* sampler : session.catalog.all(Kind::sampler)) {
+    for (const Plugin* scene : session.catalog.all(Kind::scene)) {
+      const std::string why_not = refusal(session, *scene, *sampler);
+      json["pairs"].push_back(
+          {{"sampler", sampler->name}, {"scene", scene->name}, {"runs", why_not.empty()}, {"why_not", why_not}});
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+int list(const Session& session, const std::string& what, bool as_json) {
+  std::vector<Section> shown = sections(session);
+  if (!what.empty()) std::erase_if(shown, [&](const Section& s) { return s.title != what; });
+  if (as_json) {
+    fmt::print("{}\n", as_json_object(session, shown).dump(2));
+    return 0;
+  }
+  for (const Section& section : shown) {
+    fmt::print("{}{}\n", &section == &shown.front() ? "" : "\n", section.title);
+    for (const auto& [name, summary] : section.entries) fmt::print("  {:<16} {}\n", name, summary);
+  }
+  if (what.empty()) print_pairs(session);
+  return 0;
+}
+
+}  // namespace moire::app

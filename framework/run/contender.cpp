@@ -1,0 +1,31 @@
+#include "run/contender.h"
+
+#include "sampling/lookups.h"
+#include "sampling/pattern_sampler.h"
+
+namespace moire {
+
+Contender::Contender(const SamplerChoice& choice)
+    : name_(choice.name),
+      sampler_(make_sampler(*choice.plugin->sampler, choice.settings)),
+      lookup_(make_lookup(choice.lookup)) {}
+
+void put(const PixelBlock& block, Picture& picture) {
+  for (int y = block.y0; y < block.y0 + block.height; ++y) {
+    for (int x = block.x0; x < block.x0 + block.width; ++x) {
+      picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
+                     static_cast<std::size_t>(x)] = block.color(block.slot(x, y));
+    }
+  }
+}
+
+Picture render_picture(const Contender& contender, const Frame& frame, std::uint64_t seed, const Workers& workers) {
+  const ImageSize size = frame.size();
+  Picture picture{size,
+                  std::vector<Color>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height))};
+  const auto rendering = contender.begin(frame, seed);
+  workers.render(*rendering, size, false, [&](std::size_t, const PixelBlock& block) { put(block, picture); });
+  return picture;
+}
+
+}  // namespace moire

@@ -1,0 +1,37 @@
+// A sampler and a lookup, ready to render.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "config/experiment.h"
+#include "metrics/picture.h"
+#include "run/workers.h"
+
+namespace moire {
+
+class Contender {
+ public:
+  // Error or any exception of the plugin's.
+  explicit Contender(const SamplerChoice& choice);
+  // A sampler without a plugin, of the host's own.
+  Contender(std::string name, std::unique_ptr<Sampler> sampler)
+      : name_(std::move(name)), sampler_(std::move(sampler)) {}
+
+  const std::string& name() const { return name_; }
+  std::unique_ptr<Rendering> begin(const Frame& frame, std::uint64_t seed) const {
+    return sampler_->begin({.frame = frame, .lookup = lookup_.get(), .seed = seed});
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<Sampler> sampler_;
+  std::unique_ptr<Lookup> lookup_;
+};
+
+// Copies a block's colours into their place.
+void put(const PixelBlock& block, Picture& picture);
+
+Picture render_picture(const Contender& contender, const Frame& frame, std::uint64_t seed, const Workers& workers);
+
+}  // namespace moire

@@ -1,0 +1,109 @@
+#include "run/manifest.h"
+
+#include <ctime>
+#include <fstream>
+#include <map>
+
+#include <sys/utsname.h>
+
+#include <fmt/format.h>
+
+#include "run/hash.h"
+
+namespace moire {
+
+namespace {
+
+nlohmann::ordered_json json_of(const Settings& settings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : settings.values()) std::visit([&](const auto& v) { json[name] = v; }, value);
+  return json;
+}
+
+// A scene's settings with files replaced by what is in them: where they lie changes nothing.
+nlohmann::ordered_json content_of(const SceneChoice& scene, ContentHashes& hashes) {
+  nlohmann::ordered_json json = json_of(scene.settings);
+  for (const Parameter& parameter : scene.plugin->parameters()) {
+    if (parameter.type != Type::file) continue;
+    const std::string& file = scene.settings.text(parameter.name);
+    if (!file.empty()) json[std::string(parameter.name)] = hashes.of(file);
+  }
+  return json;
+}
+
+std::string processor() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string date() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday,
+                     utc.tm_hour, utc.tm_min, utc.tm_sec);
+}
+
+}  // namespace
+
+const std::string& ContentHashes::of(const std::filesystem::path& file) {
+  const auto found = known_.find(file);
+  return found != known_.end() ? found->second : known_.emplace(file, hash_of_file(file)).first->second;
+}
+
+std::vector<std::filesystem::path> data_files(const SceneChoice& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const Parameter& parameter : scene.plugin->parameters()) {
+    if (parameter.type != Type::file) continue;
+    const std::string& file = scene.settings.text(parameter.name);
+    if (!file.empty()) files.emplace_back(file);
+  }
+  return files;
+}
+
+std::string job_key(const Experiment& experiment, const SceneChoice& scene, const SamplerChoice& sampler,
+                    ContentHashes& hashes) {
+  const nlohmann::ordered_json all{
+      {"program", hashes.of("/proc/self/exe")},
+      {"image", {experiment.image.width, experiment.image.height}},
+      {"scene", {scene.plugin->name, hashes.of(scene.plugin->file), content_of(scene, hashes)}},
+      {"sampler", {sampler.plugin->name, hashes.of(sampler.plugin->file), json_of(sampler.settings), sampler.lookup}},
+      {"reference", experiment.request.value("reference", nlohmann::ordered_json())},
+      {"metrics", experiment.request.value("metrics", nlohmann::ordered_json())},
+      {"seed", experiment.seed},
+  };
+  return hash_of(all.dump());
+}
+
+nlohmann::ordered_json make_manifest(const Experiment& experiment, std::span<const std::string> command, int threads,
+                                     ContentHashes& hashes) {
+  utsname system{};
+  uname(&system);
+  nlohmann::ordered_json manifest{
+      {"program",
+       {{"version", MOIRE_VERSION}, {"hash", hashes.of("/proc/self/exe")}, {"interface", interface_version}}},
+      {"compiler", fmt::format("{} {}", MOIRE_COMPILER, MOIRE_COMPILER_FLAGS)},
+      {"build", MOIRE_BUILD_TYPE},
+      {"command", command},
+      {"date", date()},
+      {"system", fmt::format("{} {} {}", system.sysname, system.release, system.machine)},
+      {"processor", processor()},
+      {"threads", threads},
+      {"seed", experiment.seed},
+  };
+  std::map<std::string, const Plugin*> plugins;
+  for (const SceneChoice& scene : experiment.scenes) plugins[scene.plugin->name] = scene.plugin;
+  for (const SamplerChoice& sampler : experiment.samplers) plugins[sampler.plugin->name] = sampler.plugin;
+  for (const auto& [name, plugin] : plugins) {
+    manifest["plugins"][name] = {{"version", plugin->version}, {"hash", hashes.of(plugin->file)}};
+  }
+  for (const SceneChoice& scene : experiment.scenes) {
+    for (const auto& file : data_files(scene)) manifest["data"][(file.parent_path().filename() / file.filename()).string()] = hashes.of(file);
+  }
+  return manifest;
+}
+
+}  // namespace moire

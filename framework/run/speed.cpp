@@ -1,0 +1,98 @@
+#include "run/speed.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace moire {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
+
+// One frame, begin() included. Counters of all blocks are added to `counters`.
+double render_once(const Timed& timed, std::uint64_t seed, const Workers& workers, std::vector<Counters>& blocks) {
+  const auto start = Clock::now();
+  const auto rendering = timed.contender->begin(*timed.frame, seed);
+  workers.render(*rendering, timed.frame->size(), false,
+                 [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
+  return milliseconds(Clock::now() - start);
+}
+
+struct Times {
+  std::vector<double> one_thread, all_threads;
+  Counters counters;
+};
+
+Row time_row(const std::string& scene, const std::string& sampler, const char* metric,
+             const std::vector<double>& times) {
+  Row row{.scene = scene, .sampler = sampler, .metric = metric, .unit = "ms"};
+  row.value = quantile(times, 0.5);
+  if (times.size() > 1) {
+    row.low = quantile(times, 0.25);
+    row.high = quantile(times, 0.75);
+  }
+  return row;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+std::vector<Row> measure_speed(const std::string& scene, const std::vector<Timed>& contenders, const Settings& settings,
+                               std::uint64_t seed, const Workers& workers,
+                               const std::function<void(double)>& progress) {
+  const Workers one(1);
+  const auto rounds = static_cast<std::size_t>(settings.integer("rounds"));
+  const auto begin = Clock::now();
+  std::vector<Times> times(contenders.size());
+
+  // The warm-up counts the work too.
+  for (std::size_t k = 0; k < contenders.size(); ++k) {
+    std::vector<Counters> blocks(one.blocks(contenders[k].frame->size()));
+    const double time = render_once(contenders[k], seed, one, blocks);
+    for (const Counters& counters : blocks) times[k].counters += counters;
+    if (contenders[k].once) times[k].one_thread.push_back(time);
+  }
+  for (std::size_t round = 0; round < rounds; ++round) {
+    if (round > 0 && milliseconds(Clock::now() - begin) > 1000 * settings.real("at_most")) break;
+    for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
+      const std::size_t k = (turn + round) % contenders.size();  // nobody is always first after the slowest
+      std::vector<Counters> blocks(one.blocks(contenders[k].frame->size()));
+      if (!contenders[k].once) times[k].one_thread.push_back(render_once(contenders[k], seed, one, blocks));
+      if (!contenders[k].once || round == 0)
+        times[k].all_threads.push_back(render_once(contenders[k], seed, workers, blocks));
+    }
+    progress(static_cast<double>(round + 1) / static_cast<double>(rounds));
+  }
+
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < contenders.size(); ++k) {
+    const std::string& name = contenders[k].contender->name();
+    const ImageSize size = contenders[k].frame->size();
+    const double pixels = static_cast<double>(size.width) * size.height;
+    rows.push_back(time_row(scene, name, "speed.ms_per_frame", times[k].one_thread));
+    rows.push_back(time_row(scene, name, "speed.ms_per_frame_all_threads", times[k].all_threads));
+    rows.push_back({.scene = scene,
+                    .sampler = name,
+                    .metric = "speed.queries_per_pixel",
+                    .value = static_cast<double>(times[k].counters.queries) / pixels,
+                    .unit = "per pixel"});
+    rows.push_back({.scene = scene,
+                    .sampler = name,
+                    .metric = "speed.steps_per_pixel",
+                    .value = static_cast<double>(times[k].counters.steps) / pixels,
+                    .unit = "per pixel"});
+  }
+  return rows;
+}
+
+}  // namespace moire

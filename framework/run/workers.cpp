@@ -1,0 +1,72 @@
+#include "run/workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <optional>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace moire {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_interrupt(int) {
+  interrupted = 1;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+}  // namespace
+
+void catch_interrupts() { std::signal(SIGINT, note_interrupt); }
+bool stop_requested() { return interrupted != 0; }
+
+struct Workers::Arena {
+  explicit Arena(int threads) : arena(threads) {}
+  tbb::task_arena arena;
+};
+
+Workers::Workers(int threads, int block_width)
+    : threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
+      block_width_(block_width),
+      arena_(std::make_unique<Arena>(threads_)) {}
+
+Workers::~Workers() = default;
+
+void Workers::run_blocks(ImageSize size, bool recording, BlockWork* work) const {
+  const auto area = [&](std::size_t index) {
+    const int x0 = static_cast<int>(index) * block_width_;
+    return PixelArea{x0, 0, std::min(block_width_, size.width - x0), size.height};
+  };
+  const auto one = [&](std::size_t index, std::optional<PixelBlock>& block) {
+    if (stop_requested()) throw Interrupted{};
+    if (block) {
+      block->move_to(area(index));
+    } else {
+      block.emplace(area(index), recording);
+    }
+    (*work)(index, *block);
+  };
+
+  if (threads_ == 1) {
+    std::optional<PixelBlock> block;
+    for (std::size_t index = 0; index < blocks(size); ++index) one(index, block);
+    return;
+  }
+  tbb::enumerable_thread_specific<std::optional<PixelBlock>> own;
+  arena_->arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, blocks(size), 1),
+        [&](const auto& range) {
+          for (std::size_t index = range.begin(); index < range.end(); ++index) one(index, own.local());
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+}  // namespace moire

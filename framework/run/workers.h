@@ -1,0 +1,67 @@
+// The threads of a run, and Ctrl-C.
+#pragma once
+
+#include <memory>
+
+#include <moire/sampler.h>
+
+namespace moire {
+
+// Thrown where work was given up because stop_requested().
+struct Interrupted {};
+
+// From now on Ctrl-C asks the run to stop cleanly; a second one ends the program at once.
+void catch_interrupts();
+bool stop_requested();
+
+// Renders frames block by block, on one thread or on many: the result is the same.
+class Workers {
+ public:
+  static constexpr int default_block_width = 32;
+
+  // 0 threads: as many as the machine has cores.
+  explicit Workers(int threads, int block_width = default_block_width);
+  ~Workers();
+
+  int threads() const { return threads_; }
+
+  // Calls consume(index, block) for every finished block of whole columns, many at once; blocks are numbered from the
+  // left. Throws what a renderer or consumer throws, or Interrupted.
+  template <class Consume>
+  void render(const Rendering& rendering, ImageSize size, bool recording, Consume consume) const {
+    for_each_block(size, recording, [&](std::size_t index, PixelBlock& block) {
+      rendering.render(block);
+      consume(index, block);
+    });
+  }
+
+  // Calls work(index, block) for every block of the image, empty.
+  template <class Work>
+  void for_each_block(ImageSize size, bool recording, Work work) const {
+    Call<Work> call{work};
+    run_blocks(size, recording, &call);
+  }
+
+  std::size_t blocks(ImageSize size) const {
+    return static_cast<std::size_t>((size.width + block_width_ - 1) / block_width_);
+  }
+
+ private:
+  struct BlockWork {
+    virtual ~BlockWork() = default;
+    virtual void operator()(std::size_t index, PixelBlock& block) = 0;
+  };
+  template <class Work>
+  struct Call final : BlockWork {
+    explicit Call(Work& w) : work(w) {}
+    void operator()(std::size_t index, PixelBlock& block) override { work(index, block); }
+    Work& work;
+  };
+  void run_blocks(ImageSize size, bool recording, BlockWork* work) const;
+
+  int threads_, block_width_;
+  struct Arena;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace moire
