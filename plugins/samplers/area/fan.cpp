@@ -104,7 +104,8 @@ void Fan::stretches(int index, int x0, int x1, Stretches& out) const {
   const auto distance = [&](double along) { return std::abs(along - along_from) * distance_per_along; };
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double along = (ends[k] + ends[k + 1]) / 2;
-    const int row = static_cast<int>(along);
+    // Of the lower end: the middle of a very short stretch may round up into the next row.
+    const int row = static_cast<int>(std::min(ends[k], ends[k + 1]));
     if (transposed_ && (row < x0 || row >= x1)) continue;
     const double left = across(a, along), right = across(b, along);
     const std::size_t before = out.shares.size();

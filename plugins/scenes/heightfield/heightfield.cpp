@@ -1,12 +1,9 @@
 // A terrain of voxels: boxes with flat tops over a regular grid, a colour each, mirrored to infinity.
-#include <algorithm>
-#include <cmath>
-
-#include <moire/error.h>
 #include <moire/plugin.h>
 
 #include "frame.h"
 #include "terrain.h"
+#include "view_settings.h"
 
 namespace heightfield {
 
@@ -47,46 +44,15 @@ constexpr moire::Parameter parameters[] = {
     real("view.fov_deg", 50, 0.01, 170, "degrees", "angle of view across the width of the image").per_frame(),
 };
 
-double spacing_y(const moire::Settings& settings) {
-  const double given = settings.real("spacing_y");
-  return given > 0 ? given : settings.real("spacing");
-}
-
-// Level l begins where a pixel's footprint is 2^l / level_constant voxels wide: at the slant distance, to the ground at
-// its mean height, of 2^l spacing / (level_constant pixel_angle).
-std::vector<double> level_starts(const Voxels& voxels, const Camera& camera, const moire::Settings& settings) {
-  std::vector<double> starts{0};
-  if (!settings.flag("hierarchy")) return starts;
-  const double drop = settings.real("view.height") - voxels.mean_height();
-  const double spacing = std::sqrt(settings.real("spacing") * spacing_y(settings));
-  for (int l = 1; l < voxels.levels(); ++l) {
-    const double slant = std::ldexp(spacing, l) / (settings.real("level_constant") * camera.pixel_angle());
-    starts.push_back(std::sqrt(std::max(0.0, slant * slant - drop * drop)));
-  }
-  return starts;
-}
-
 class Heightfield final : public moire::Scene {
  public:
   explicit Heightfield(const moire::Settings& settings)
       : voxels_(load_terrain(settings)), texture_(voxels_.texture()) {}
 
   std::unique_ptr<moire::Frame> frame(const moire::Settings& settings, moire::ImageSize size) const override {
-    const double dx = settings.real("spacing"), dy = spacing_y(settings);
-    const Camera camera(size, settings.real("view.yaw_deg"), settings.real("view.pitch_deg"),
-                        settings.real("view.fov_deg"), dx, dy);
-    View view{&voxels_,
-              settings.real("view.x") / dx,
-              settings.real("view.y") / dy,
-              settings.real("view.height"),
-              dx,
-              dy,
-              settings.real("far"),
-              level_starts(voxels_, camera, settings)};
-    const Manner manner{settings.text("walk") == "grid", settings.text("coherence") == "resume",
-                        static_cast<int>(settings.integer("retrace"))};
-    return std::make_unique<HeightfieldFrame>(Look(size, std::move(view), camera, manner),
-                                              moire::parse_color(settings.text("sky")), texture_);
+    const Camera camera = camera_of(settings, size);
+    Look look(size, view_of(settings, voxels_, camera), camera, manner_of(settings));
+    return std::make_unique<HeightfieldFrame>(std::move(look), moire::parse_color(settings.text("sky")), texture_);
   }
 
  private:

@@ -1,0 +1,130 @@
+// Benchmarks of the foundation: what the plugin boundary, recording and each method cost, as ratios of one process.
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "interleaved.h"
+#include "terrain_views.h"
+
+namespace moire::benchmark {
+
+namespace {
+
+constexpr ImageSize size{400, 400};
+constexpr int rounds = 15;
+
+void print(const char* question, const Ratio& r, const char* goal) {
+  fmt::print("    {:<52} {:5.2f}  ({:.2f} .. {:.2f})   {}\n", question, r.median, r.low, r.high, goal);
+}
+
+// A scene at one of the views, and how to render frames of it.
+class Bench {
+ public:
+  Bench(const Catalog& catalog, const TerrainView& view)
+      : catalog_(catalog),
+        settings_(terrain_settings(catalog, view)),
+        scene_(catalog.find(Kind::scene, "heightfield")->scene->make(settings_)),
+        frame_(scene_->frame(settings_, size)),
+        one_piece_(settings_, size) {}
+
+  void run() {
+    methods();
+    coherence();
+    threads();
+  }
+
+ private:
+  Work frame_of(const std::string& name, const Contender& contender, const Frame& frame, bool recording,
+                const Workers& workers) {
+    return {name, [&contender, &frame, recording, &workers, this] {
+              const auto rendering = contender.begin(frame, 1);
+              std::vector<Counters> blocks(workers.blocks(size));
+              workers.render(*rendering, size, recording,
+                             [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
+              counters_ = {};
+              for (const Counters& block : blocks) counters_ += block;
+            }};
+  }
+  Work one_piece(const std::string& name, void (OnePiece::*loop)(PixelBlock&) const) {
+    return {name, [this, loop] {
+              one_.for_each_block(size, false, [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
+            }};
+  }
+
+  void methods() {
+    const auto point = contender(catalog_, "point", {});
+    const auto area = contender(catalog_, "area", {});
+    const auto sixteen = contender(catalog_, "supersample", {{"n", std::int64_t{16}}});
+    const auto t = interleaved(
+        {frame_of("point", *point, *frame_, false, one_), frame_of("area", *area, *frame_, false, one_),
+         frame_of("supersample 16", *sixteen, *frame_, false, one_), one_piece("point in one piece", &OnePiece::point),
+         one_piece("area in one piece", &OnePiece::area), frame_of("point recorded", *point, *frame_, true, one_),
+         frame_of("area recorded", *area, *frame_, true, one_),
+         frame_of("supersample 16 recorded", *sixteen, *frame_, true, one_)},
+        rounds);
+    frame_of("point", *point, *frame_, false, one_).run();
+    const double steps = static_cast<double>(counters_.steps);
+    fmt::print(
+        "    point {:.1f} ms, area {:.1f} ms, supersample 16 {:.1f} ms a frame; {:.1f} and {:.1f} ns a voxel step "
+        "(9 to 12 and 11 to 14 measured before)\n",
+        t[0].median(), t[1].median(), t[2].median(), 1e6 * t[0].median() / steps, 1e6 * t[1].median() / steps);
+    print("point: plugins over one piece", ratio(t[0], t[3]), "<= 1.05");
+    print("area: plugins over one piece", ratio(t[1], t[4]), "<= 1.05");
+    print("point: recorded over not", ratio(t[5], t[0]), "<= 1.3");
+    print("supersample 16: recorded over not", ratio(t[7], t[2]), "<= 1.3");
+    print("area: recorded over not", ratio(t[6], t[1]), "<= 2.5");
+    print("area over point", ratio(t[1], t[0]), "<= 1.15");
+    print("supersample 16 over area", ratio(t[2], t[1]), ">= 1.5");
+  }
+
+  void coherence() {
+    Settings restart = settings_;
+    restart.set("coherence", std::string("none"));
+    const auto restarting = scene_->frame(restart, size);
+    const auto point = contender(catalog_, "point", {});
+    const Work resume = frame_of("resume", *point, *frame_, false, one_);
+    const Work none = frame_of("none", *point, *restarting, false, one_);
+    const auto t = interleaved({none, resume}, 5);
+    resume.run();
+    const double few = static_cast<double>(counters_.steps);
+    none.run();
+    const double many = static_cast<double>(counters_.steps);
+    print("restart at the relief's top over resume, time", ratio(t[0], t[1]), "4.2 to 7.7 measured before");
+    fmt::print("    {:<52} {:5.2f}\n", "restart at the relief's top over resume, steps", many / few);
+  }
+
+  void threads() {
+    const Workers two(2);
+    const auto area = contender(catalog_, "area", {});
+    const auto t = interleaved(
+        {frame_of("one", *area, *frame_, false, one_), frame_of("two", *area, *frame_, false, two)}, rounds);
+    print("area: one thread over two", ratio(t[0], t[1]), ">= 1.8 where two cores are free");
+  }
+
+  const Catalog& catalog_;
+  Settings settings_;
+  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<Frame> frame_;
+  OnePiece one_piece_;
+  const Workers one_{1};
+  Counters counters_;
+};
+
+}  // namespace
+
+}  // namespace moire::benchmark
+
+int main() {
+  using namespace moire;
+  if (!std::getenv("MOIRE_DATA")) {
+    fmt::print(stderr, "moire_benchmarks: MOIRE_DATA is not set; point it at the data folder (terrain/puget_sound)\n");
+    return 2;
+  }
+  const Catalog catalog = Catalog::open(plugin_folders({}));
+  fmt::print("Median of {} rounds (quartiles), one thread, 400 x 400 pixels, Puget Sound, relief 30, hierarchy on.\n",
+             benchmark::rounds);
+  for (const benchmark::TerrainView& view : benchmark::views) {
+    fmt::print("  pitch {}\n", view.pitch_deg);
+    benchmark::Bench(catalog, view).run();
+  }
+}
