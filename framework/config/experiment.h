@@ -43,7 +43,8 @@ struct Experiment {
   std::optional<SamplerChoice> reference;  // none: the best that each scene allows ("auto")
   std::uint64_t seed = 1;
   std::vector<MetricChoice> metrics;
-  nlohmann::ordered_json request;  // the experiment with every default filled in; reading it gives this experiment again
+  // With every default filled in and every grid spread out; reading it gives this experiment again.
+  nlohmann::ordered_json request;
 };
 
 // A name an experiment may use, and what it is.
@@ -55,7 +56,8 @@ struct NamedSummary {
 struct Vocabulary {
   const Catalog* catalog = nullptr;
   std::span<const MetricDescription* const> metrics;
-  std::span<const NamedSummary> lookups;  // the first, "nearest", asks scenes for nothing; all others for Questions::surface
+  // The first, "nearest", asks scenes for nothing; all others for Questions::surface.
+  std::span<const NamedSummary> lookups;
 };
 
 // Command-line changes to an experiment.

@@ -1,0 +1,203 @@
+// Reads an experiment: its tree, then each key, then what must fit together.
+#include "config/experiment.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "config/choices.h"
+#include "config/experiment_format.h"
+#include "config/experiment_tree.h"
+#include "config/metric_choices.h"
+#include "config/naming.h"
+#include "config/nearest_name.h"
+#include "config/only.h"
+
+namespace moire {
+namespace {
+
+class ExperimentReader {
+ public:
+  ExperimentReader(const ExperimentPlace& place, const Vocabulary& vocabulary, const JsonNode& root, Problems& problems)
+      : vocabulary_(vocabulary),
+        root_(root),
+        problems_(problems),
+        files_(place),
+        lookups_(format::lookup_choices(vocabulary)) {
+    experiment_.name = place.folder.filename().string();
+  }
+
+  void read() {
+    refuse_unknown_keys();
+    if (const JsonNode* question = required("question", "say in a sentence what it shall find out")) {
+      experiment_.question = text_of(*question, format::question);
+    }
+    if (const JsonNode* image = required("image", "write such as \"image\": {\"width\": 400, \"height\": 400}")) {
+      read_image_size(*image);
+    }
+    scenes_ = read_choices("scenes", Kind::scene);
+    samplers_ = read_choices("samplers", Kind::sampler);
+    read_reference();
+    read_seed();
+    metrics_ = read_metrics(list("metrics"), root_.place, vocabulary_, reading_);
+    refuse_impossible_scenes();
+    refuse_mismatches();
+  }
+
+  void keep_only(const std::string& only) { moire::keep_only(only, scenes_, samplers_, problems_); }
+
+  Experiment finish() {
+    for (const Choice& scene : scenes_) experiment_.scenes.push_back(scene_of(scene));
+    for (const Choice& sampler : samplers_) experiment_.samplers.push_back(sampler_of(sampler));
+    if (!reference_.empty()) experiment_.reference = sampler_of(reference_.front());
+    for (const MetricEntry& metric : metrics_) experiment_.metrics.push_back(metric.choice);
+    experiment_.request = request();
+    return std::move(experiment_);
+  }
+
+ private:
+  void refuse_unknown_keys() {
+    for (const JsonMember& member : root_.members) {
+      const bool is_known =
+          std::find(std::begin(format::keys), std::end(format::keys), member.key) != std::end(format::keys);
+      if (is_known || member.key == "$schema") continue;
+      problems_.add(member.place, member.key,
+                    fmt::format("unknown key{} an experiment takes {}", did_you_mean(member.key, format::keys),
+                                listed(format::keys)));
+    }
+  }
+
+  const JsonNode* required(std::string_view key, std::string_view advice) {
+    const JsonNode* node = root_.find(key);
+    if (node == nullptr) problems_.add(root_.place, "", fmt::format("has no \"{}\"; {}", key, advice));
+    return node;
+  }
+
+  std::string text_of(const JsonNode& node, const Parameter& parameter) {
+    const auto cell = read_value(node, std::string(parameter.name), parameter, parameter.name, reading_);
+    return cell ? std::get<std::string>(cell->value) : "";
+  }
+
+  void read_image_size(const JsonNode& image) {
+    if (!image.is(JsonKind::object)) {
+      return problems_.add(image.place, "image",
+                           fmt::format("is {}; an image has a \"width\" and a \"height\"", shown(image)));
+    }
+    for (const Parameter& side : format::image) {
+      if (image.find(side.name) == nullptr) {
+        problems_.add(image.place, "image",
+                      fmt::format("has no \"{}\"; an image has a \"width\" and a \"height\"", side.name));
+      }
+    }
+    const auto cells = read_settings(image, "image", {"image", format::image, {}}, reading_);
+    if (cells.empty()) return;
+    const Settings size = settings_of(format::image, cells.front());
+    experiment_.image = {static_cast<int>(size.integer("width")), static_cast<int>(size.integer("height"))};
+  }
+
+  // The list under this key; null if there is none, or something else (which is a problem).
+  const JsonNode* list(std::string_view key) {
+    const JsonNode* node = root_.find(key);
+    if (node == nullptr || node->is(JsonKind::list)) return node;
+    problems_.add(node->place, key, fmt::format("is {}; it takes a list of names or objects", shown(*node)));
+    return &no_items_;
+  }
+
+  std::vector<Choice> read_choices(std::string_view key, Kind kind) {
+    const JsonNode* entries =
+        required(key, fmt::format("name one at least, such as \"{}\": [\"{}\"]", key, first_name(kind)));
+    if (entries == nullptr) return {};
+    entries = list(key);
+    if (entries != &no_items_ && entries->items.empty())
+      problems_.add(entries->place, key, "is an empty list; name one at least");
+    std::vector<Choice> choices;
+    for (std::size_t i = 0; i < entries->items.size(); ++i) {
+      const auto more = read_entry(entries->items[i], item_path(key, i), kind, true, {vocabulary_, lookups_, reading_});
+      choices.insert(choices.end(), more.begin(), more.end());
+    }
+    name_choices(choices, kind == Kind::scene ? "scene" : "sampler", problems_);
+    return choices;
+  }
+
+  std::string first_name(Kind kind) const {
+    const auto plugins = vocabulary_.catalog->all(kind);
+    return plugins.empty() ? "" : plugins.front()->name;
+  }
+
+  void read_reference() {
+    const JsonNode* node = root_.find("reference");
+    if (node == nullptr || (node->is(JsonKind::text) && node->text == format::default_reference)) return;
+    reference_ = read_entry(*node, "reference", Kind::sampler, false, {vocabulary_, lookups_, reading_});
+    name_choices(reference_, "reference", problems_);
+  }
+
+  void read_seed() {
+    const JsonNode* node = root_.find("seed");
+    const auto cell = node ? read_value(*node, "seed", format::seed, "seed", reading_) : default_cell(format::seed);
+    if (cell) experiment_.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(cell->value));
+  }
+
+  void refuse_impossible_scenes() {
+    for (const Choice& scene : scenes_) {
+      const std::string problem = scene.plugin->scene->problem(settings_of(scene.table, scene.cells));
+      if (!problem.empty())
+        problems_.add(scene.place, scene.path, fmt::format("\"{}\" cannot be made: {}", scene.name, problem));
+    }
+  }
+
+  void refuse_mismatches() {
+    std::vector<Choice> all = samplers_;
+    all.insert(all.end(), reference_.begin(), reference_.end());
+    for (const Choice& sampler : all) {
+      for (const Choice& scene : scenes_) {
+        const std::string problem = mismatch(scene_of(scene), sampler_of(sampler), vocabulary_);
+        if (!problem.empty()) problems_.add(sampler.place, sampler.path, problem);
+      }
+    }
+  }
+
+  nlohmann::ordered_json request() const {
+    nlohmann::ordered_json result = {
+        {"question", experiment_.question},
+        {"image", {{"width", experiment_.image.width}, {"height", experiment_.image.height}}},
+        {"scenes", nlohmann::ordered_json::array()},
+        {"samplers", nlohmann::ordered_json::array()},
+        {"reference", format::default_reference},
+        {"seed", experiment_.seed},
+        {"metrics", nlohmann::ordered_json::array()}};
+    for (const Choice& scene : scenes_) result["scenes"].push_back(written(scene));
+    for (const Choice& sampler : samplers_) result["samplers"].push_back(written(sampler));
+    if (!reference_.empty()) result["reference"] = written(reference_.front());
+    for (const MetricEntry& metric : metrics_) result["metrics"].push_back(metric.written);
+    return result;
+  }
+
+  const Vocabulary& vocabulary_;
+  const JsonNode& root_;
+  Problems& problems_;
+  DataFiles files_;
+  std::string lookups_;
+  Reading reading_{files_, problems_};
+  JsonNode no_items_;
+  std::vector<Choice> scenes_, samplers_, reference_;  // of the last: none for the default, or one
+  std::vector<MetricEntry> metrics_;
+  Experiment experiment_;
+};
+
+}  // namespace
+
+Experiment read_experiment(const std::filesystem::path& path, const Vocabulary& vocabulary,
+                           const Overrides& overrides) {
+  const ExperimentPlace place = find_experiment(path);
+  Problems problems;
+  const JsonNode root = read_experiment_tree(place, overrides.sets, problems);
+  ExperimentReader reader(place, vocabulary, root, problems);
+  reader.read();
+  problems.throw_if_any();  // before choosing from what might be incomplete
+  reader.keep_only(overrides.only);
+  problems.throw_if_any();
+  return reader.finish();
+}
+
+}  // namespace moire

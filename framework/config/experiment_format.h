@@ -1,0 +1,38 @@
+// What an experiment file holds beside plugins and metrics; for the reader and for the schema.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <moire/settings.h>
+
+#include "config/experiment.h"
+
+namespace moire::format {
+
+inline constexpr Parameter question =
+    parameter::text("question", "", "what the experiment shall find out, in a sentence");
+inline constexpr Parameter image[] = {
+    parameter::integer("width", 400, 1, 16384, "pixels", "columns of the image"),
+    parameter::integer("height", 400, 1, 16384, "pixels", "rows of the image"),
+};
+// Every integer up to 2^53 is the same number in all programs that read JSON.
+inline constexpr Parameter seed =
+    parameter::integer("seed", 1, 0, std::int64_t{1} << 53, "", "chooses the random numbers of the whole experiment");
+
+inline constexpr std::string_view keys[] = {"question", "image", "scenes", "samplers", "reference", "seed", "metrics"};
+inline constexpr std::string_view default_reference = "auto";
+inline constexpr std::string_view default_metric = "error";
+
+// The names of the lookups as the choices of a parameter: "nearest bilinear".
+std::string lookup_choices(const Vocabulary& vocabulary);
+
+// The parameters of a plugin; those of a sampler end with its lookup, which can be given and be a grid like any other.
+// Requires: `lookups` outlives the table.
+std::vector<Parameter> parameters_of(const Plugin& plugin, std::string_view lookups);
+
+// The words of "column grid".
+std::vector<std::string_view> words(std::string_view choices);
+
+}  // namespace moire::format

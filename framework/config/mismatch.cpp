@@ -1,0 +1,58 @@
+// Whether a sampler can run on a scene: it can if the scene answers all that the sampler and its lookup ask.
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "config/experiment.h"
+#include "config/nearest_name.h"
+
+namespace moire {
+namespace {
+
+Questions without(Questions all, Questions known) {
+  return static_cast<Questions>(static_cast<std::uint32_t>(all) & ~static_cast<std::uint32_t>(known));
+}
+
+std::string in_words(Questions questions) {
+  constexpr std::pair<Questions, std::string_view> all[] = {{Questions::points, "points"},
+                                                            {Questions::lines, "lines"},
+                                                            {Questions::radial_lines, "lines through a common point"},
+                                                            {Questions::polygons, "polygons"},
+                                                            {Questions::surface, "places on a texture"},
+                                                            {Questions::curves, "lines and circles with their ends"}};
+  std::vector<std::string_view> words;
+  for (const auto& [question, name] : all) {
+    if ((questions & question) != Questions::none) words.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(words, " and "));
+}
+
+Questions asked(const SamplerChoice& sampler, const Vocabulary& vocabulary) {
+  const bool is_nearest = sampler.lookup == vocabulary.lookups.front().name;
+  return sampler.plugin->sampler->asks(sampler.settings) | (is_nearest ? Questions::none : Questions::surface);
+}
+
+// The known scenes that answer this with their default settings.
+std::string fitting_scenes(Questions questions, const Vocabulary& vocabulary) {
+  std::vector<std::string_view> names;
+  for (const Plugin* plugin : vocabulary.catalog->all(Kind::scene)) {
+    const Questions answers = plugin->scene->answers(Settings(plugin->parameters()));
+    if (without(questions, answers) == Questions::none) names.push_back(plugin->name);
+  }
+  return names.empty() ? "no known scene does" : "scenes that do: " + listed(names);
+}
+
+}  // namespace
+
+std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary) {
+  const Questions questions = asked(sampler, vocabulary);
+  const Questions missing = without(questions, scene.plugin->scene->answers(scene.settings));
+  if (missing == Questions::none) return "";
+  const Questions own = sampler.plugin->sampler->asks(sampler.settings);
+  const bool is_for_lookup = without(missing, own) != Questions::none;
+  return fmt::format("\"{}\" asks for {}{}, which scene \"{}\" ({}) does not have; {}", sampler.name, in_words(missing),
+                     is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "", scene.name,
+                     scene.plugin->name, fitting_scenes(questions, vocabulary));
+}
+
+}  // namespace moire

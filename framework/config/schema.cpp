@@ -1,0 +1,168 @@
+// The experiment format as JSON Schema, made from the same tables as the reader. It knows one file at a time: of an
+// entry that uses another file it checks nothing but that, and whether scenes and samplers fit is the reader's to say.
+#include <cmath>
+
+#include "config/experiment.h"
+#include "config/experiment_format.h"
+#include "config/value_reader.h"
+
+namespace moire {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// 256 and not 256.0.
+Json whole(double number) { return std::abs(number) < 0x1p63 ? Json(static_cast<std::int64_t>(number)) : Json(number); }
+
+Json type_schema(const Parameter& p) {
+  switch (p.type) {
+    case Type::flag:
+      return {{"type", "boolean"}};
+    case Type::integer:
+      return {{"type", "integer"}, {"minimum", whole(p.smallest)}, {"maximum", whole(p.largest)}};
+    case Type::real: {
+      Json schema = {{"type", "number"}};
+      if (std::isfinite(p.smallest)) schema["minimum"] = p.smallest;
+      if (std::isfinite(p.largest)) schema["maximum"] = p.largest;
+      return schema;
+    }
+    case Type::choice:
+      return {{"enum", format::words(p.choices)}};
+    case Type::color:
+      return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+    case Type::text:
+    case Type::file:
+      return {{"type", "string"}};
+  }
+  return {};
+}
+
+Json one_or_list(const Json& schema) {
+  return {{"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"minItems", 1}}}}};
+}
+
+Json described(const Parameter& p, Json schema) {
+  schema["description"] = std::string(p.meaning) + (p.unit.empty() ? "" : " (" + std::string(p.unit) + ")");
+  return schema;
+}
+
+Json parameter_schema(const Parameter& p, bool takes_grids) {
+  Json schema = described(p, takes_grids ? one_or_list(type_schema(p)) : type_schema(p));
+  schema["default"] = default_cell(p).written;
+  return schema;
+}
+
+Json object_schema() { return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}}; }
+
+// Adds the parameters to the properties: "view.pitch_deg" to those of "view".
+void add_parameters(std::span<const Parameter> table, bool takes_grids, Json& object) {
+  for (const Parameter& p : table) {
+    Json* at = &object["properties"];
+    std::string_view rest = p.name;
+    for (std::size_t dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
+      Json& group = (*at)[std::string(rest.substr(0, dot))];
+      if (group.is_null()) group = object_schema();
+      at = &group["properties"];
+      rest.remove_prefix(dot + 1);
+    }
+    (*at)[std::string(rest)] = parameter_schema(p, takes_grids);
+  }
+}
+
+Json typed_object(std::string_view type, std::string_view summary) {
+  Json schema = object_schema();
+  schema["description"] = summary;
+  schema["required"] = {"type"};
+  schema["properties"]["type"] = {{"const", type}};
+  return schema;
+}
+
+constexpr std::string_view label_meaning = "the name in reports and folders";
+constexpr std::string_view use_meaning = "a JSON file whose object is filled in under the keys given here";
+
+Json plugin_schema(const Plugin& plugin, std::string_view lookups, bool takes_grids) {
+  Json schema = typed_object(plugin.name, plugin.summary());
+  schema["properties"]["label"] = {{"type", "string"}, {"minLength", 1}, {"description", label_meaning}};
+  schema["properties"]["use"] = {{"type", "string"}, {"description", use_meaning}};
+  add_parameters(format::parameters_of(plugin, lookups), takes_grids, schema);
+  return schema;
+}
+
+Json metric_schema(const MetricDescription& metric) {
+  Json schema = typed_object(metric.name, metric.summary);
+  add_parameters(metric.parameters, false, schema);
+  return schema;
+}
+
+// An entry of a list: a name, or one of the objects.
+Json entry_schema(const Json& names, const Json& objects) {
+  Json schema = {{"anyOf", Json::array({{{"enum", names}}})}};
+  for (const Json& object : objects) schema["anyOf"].push_back(object);
+  return schema;
+}
+
+Json plugin_entry_schema(Kind kind, const Vocabulary& vocabulary, bool takes_grids) {
+  const std::string lookups = format::lookup_choices(vocabulary);
+  Json names = Json::array(), objects = Json::array();
+  for (const Plugin* plugin : vocabulary.catalog->all(kind)) {
+    names.push_back(plugin->name);
+    objects.push_back(plugin_schema(*plugin, lookups, takes_grids));
+  }
+  // The used file says the type, and so what else may stand here.
+  objects.push_back({{"type", "object"},
+                     {"properties", {{"use", {{"type", "string"}, {"description", use_meaning}}}}},
+                     {"required", {"use"}},
+                     {"not", {{"required", {"type"}}}}});
+  return entry_schema(names, objects);
+}
+
+Json metric_entry_schema(const Vocabulary& vocabulary) {
+  Json names = Json::array(), objects = Json::array();
+  for (const MetricDescription* metric : vocabulary.metrics) {
+    names.push_back(metric->name);
+    objects.push_back(metric_schema(*metric));
+  }
+  return entry_schema(names, objects);
+}
+
+Json definitions(const Vocabulary& vocabulary) {
+  return {{"scene", plugin_entry_schema(Kind::scene, vocabulary, true)},
+          {"sampler", plugin_entry_schema(Kind::sampler, vocabulary, true)},
+          {"reference", plugin_entry_schema(Kind::sampler, vocabulary, false)},
+          {"metric", metric_entry_schema(vocabulary)}};
+}
+
+Json reference_to(std::string_view definition) { return {{"$ref", "#/definitions/" + std::string(definition)}}; }
+
+Json image_schema() {
+  Json schema = object_schema();
+  for (const Parameter& side : format::image) {
+    schema["properties"][std::string(side.name)] = described(side, type_schema(side));
+    schema["required"].push_back(side.name);
+  }
+  return schema;
+}
+
+}  // namespace
+
+Json experiment_schema(const Vocabulary& vocabulary) {
+  Json schema = object_schema();
+  schema["properties"] = {
+      {"$schema", {{"type", "string"}}},
+      {"question", described(format::question, type_schema(format::question))},
+      {"image", image_schema()},
+      {"scenes", one_or_list(reference_to("scene"))},
+      {"samplers", one_or_list(reference_to("sampler"))},
+      {"reference", {{"anyOf", {{{"const", format::default_reference}}, reference_to("reference")}}}},
+      {"seed", parameter_schema(format::seed, false)},
+      {"metrics", {{"anyOf", {reference_to("metric"), {{"type", "array"}, {"items", reference_to("metric")}}}}}}};
+  schema["properties"]["reference"]["default"] = format::default_reference;
+  schema["properties"]["metrics"]["default"] = {format::default_metric};
+  schema["required"] = {"question", "image", "scenes", "samplers"};
+  schema["definitions"] = definitions(vocabulary);
+  Json result = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "A moire experiment"}};
+  result.update(schema);
+  return result;
+}
+
+}  // namespace moire
