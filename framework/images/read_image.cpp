@@ -32,7 +32,7 @@ std::unique_ptr<OIIO::ImageInput> open(const char* file) {
 }
 
 // The stored value that stands for full scale.
-double white(OIIO::TypeDesc stored, const char* file) {
+double white(const OIIO::TypeDesc& stored, const char* file) {
   switch (stored.basetype) {
     case OIIO::TypeDesc::UINT8:
       return 255;

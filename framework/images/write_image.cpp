@@ -25,7 +25,7 @@ Error cannot_encode(const fs::path& file, const std::string& reason) {
 
 // `values` are of the type `type`, three to a pixel. OpenImageIO chooses the format by the extension. It encodes into
 // memory, since it does not notice when a disk is full.
-void save(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values) {
+void save(const fs::path& file, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type, const void* values) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(file.string(), &memory);
