@@ -18,8 +18,11 @@ struct Timing {
   double median() const;
 };
 
+// What is counted: the time of the calling thread alone, or the time that passes.
+enum class Clock { thread, wall };
+
 // A warm-up, then `rounds` rounds in which every piece runs once; who begins changes from round to round.
-std::vector<Timing> interleaved(const std::vector<Work>& works, int rounds);
+std::vector<Timing> interleaved(const std::vector<Work>& works, int rounds, Clock clock = Clock::thread);
 
 // The median over rounds of a's time over b's, and the quartiles of that ratio.
 struct Ratio {

@@ -123,9 +123,8 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   Walk<grid> walk(view_);
   bool walking = false;
   double reached = 0;  // where the last stretch ended
-  const auto look_along = [&](std::size_t slot, double t0, double t1) {
-    const double middle = (t0 + t1) / 2;
-    const Direction direction = start + middle * step;
+  const auto look_along = [&](std::size_t slot, double t0, double t1) __attribute__((always_inline)) {
+    const Direction direction = start + (t0 + t1) / 2 * step;
     const Plane plane = radial ? radial_plane : plane_of(direction);
     const double p0 = plane.along(start), p1 = plane.along(step);
     const auto slope_at = [&](double t) { return (start.z + t * step.z) / std::max(p0 + t * p1, least_advance); };
@@ -140,43 +139,47 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     }
     walking = true;
     reached = t1;
-    ++counters.queries;
 
     double t = t0;
-    const auto deposit = [&](double until, const Voxel* voxel) {
-      const double weight = rises ? until - t : t - until;
+    const auto deposit = [&](double until, const Voxel* voxel) __attribute__((always_inline)) {
+      const double weight = std::abs(until - t);
       if (weight > 0) add(slot, weight, walk, voxel, direction);
       t = until;
     };
-    walk.climb(s0, [&](const Voxel& voxel, double& slope) {
-      counters.steps += walk.count(voxel);
-      ++counters.hits;
-      const double top = voxel.cell->height - view_.z;
-      if (top >= s1 * (s1 < 0 ? voxel.x1 : voxel.x0)) {
-        deposit(t1, &voxel);
-        return false;
-      }
-      // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near one.
-      const double x = top < 0 ? voxel.x1 : voxel.x0;
-      const double until = (top * p0 - start.z * x) / (step.z * x - top * p1);
-      deposit(rises ? std::clamp(until, t, t1) : std::clamp(until, t1, t), &voxel);
-      slope = std::min(top / x, s1);
-      return true;
-    });
+    const double low = std::min(t0, t1), high = std::max(t0, t1);
+    std::uint64_t hits = 0;
+    Voxel last{};
+    walk.climb(
+        s0, [&](const Voxel& voxel, double& slope) __attribute__((always_inline)) {
+          ++hits;
+          last = voxel;
+          const double top = voxel.cell->height - view_.z;
+          if (top >= s1 * (s1 < 0 ? voxel.x1 : voxel.x0)) {
+            deposit(t1, &voxel);
+            return false;
+          }
+          // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near
+          // one.
+          const double x = top < 0 ? voxel.x1 : voxel.x0;
+          const double until = std::clamp((top * p0 - start.z * x) / (step.z * x - top * p1), low, high);
+          deposit(rises ? std::max(until, t) : std::min(until, t), &voxel);
+          slope = std::min(top / x, s1);
+          return true;
+        });
     if (t != t1) deposit(t1, nullptr);
+    ++counters.queries;
+    counters.hits += hits;
+    if (hits > 0) counters.steps += walk.count(last);
   };
 
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double t0 = cuts[i], t1 = cuts[i + 1];
     if (!(t0 < t1)) continue;
-    const bool turns = camera_.rises_upward(from.y + t0 * uy) != camera_.rises_upward(from.y + t1 * uy);
-    if (turns && upright) {  // the nadir or zenith point lies at the height of this stretch
-      const double split = std::clamp((nadir.y / nadir.w - from.y) / uy, t0, t1);
-      look_along(i, t0, split);
-      look_along(i, split, t1);
-    } else {
-      look_along(i, t0, t1);
-    }
+    // The height of the nadir or zenith point, where elevation turns, parts the stretch of an upright line.
+    const bool turns = upright && camera_.rises_upward(from.y + t0 * uy) != camera_.rises_upward(from.y + t1 * uy);
+    const double split = turns ? std::clamp((nadir.y / nadir.w - from.y) / uy, t0, t1) : t1;
+    if (t0 < split) look_along(i, t0, split);
+    if (split < t1) look_along(i, split, t1);
   }
 }
 

@@ -106,8 +106,6 @@ class Walk {
   bool enter(std::int64_t p0);
   // The same, going on with the count of steps.
   bool enter_counted(std::int64_t p0);
-  // Makes table places of the walk's position, and returns the step at which they must be made again.
-  std::int64_t begin_lap(double inverse_width);
 
   const View& view_;
   Plane plane_{};
@@ -117,9 +115,20 @@ class Walk {
   std::int64_t p_ = 0, end_ = 0;  // in voxels of level_
   double stop_ = 0;               // x of the far limit
   std::int64_t place_of_level_ = 0, counted_ = nothing;
-  const std::int32_t* places_p_ = nullptr;  // table entries of the walk's indices, less the offsets
-  const std::int32_t* places_q_ = nullptr;
-  std::int64_t offset_p_ = 0, offset_q_ = 0;
+  // Of level_.
+  double width_ = 1, inverse_width_ = 1;
+  const Cell* cells_ = nullptr;
+  struct Axis {
+    const std::int32_t* places = nullptr;  // where the cells of an index are, for indices from 0 to size - 1
+    std::int64_t size = 0, period = 0;
+    std::int64_t offset = 0;  // from the walk's index to one of the table, a multiple of the period
+
+    // Chooses the offset that leads to the first period.
+    void renew(std::int64_t index) {
+      if (index + offset >= period || index + offset < 0) offset = -(index / period) * period;
+    }
+  };
+  Axis axis_p_, axis_q_;
 };
 
 template <bool grid>
@@ -183,11 +192,16 @@ bool Walk<grid>::enter(std::int64_t p0) {
   p_ = p0 >> level_;
   end_ = std::min(end >> level_, static_cast<std::int64_t>(std::ceil(std::ldexp(eye_p_ + stop_, -level_))));
 
+  width_ = std::ldexp(1.0, level_);
+  inverse_width_ = std::ldexp(1.0, -level_);
   const Voxels::Level& level = view_.voxels->level(level_);
-  places_p_ = (plane_.swapped ? level.rows : level.columns).data();
-  places_q_ = (plane_.swapped ? level.columns : level.rows).data();
-  offset_p_ = offset_q_ = 0;
-  return p_ < end_ && std::ldexp(static_cast<double>(p_), level_) - eye_p_ < stop_;
+  cells_ = level.cells.data();
+  const auto axis = [](const std::vector<std::int32_t>& places, int period) {
+    return Axis{places.data(), static_cast<std::int64_t>(places.size()), period, 0};
+  };
+  axis_p_ = plane_.swapped ? axis(level.rows, level.row_period()) : axis(level.columns, level.column_period());
+  axis_q_ = plane_.swapped ? axis(level.columns, level.column_period()) : axis(level.rows, level.row_period());
+  return p_ < end_ && static_cast<double>(p_) * width_ - eye_p_ < stop_;
 }
 
 template <bool grid>
@@ -204,44 +218,33 @@ bool Walk<grid>::enter_counted(std::int64_t p0) {
 }
 
 template <bool grid>
-std::int64_t Walk<grid>::begin_lap(double inverse_width) {
-  const Voxels::Level& level = view_.voxels->level(level_);
-  const auto renew = [](std::int64_t at, std::int64_t period, std::int64_t& offset) {
-    if (at + offset < 0 || at + offset >= period) offset = -(at / period) * period;
-  };
-  const int period_p = plane_.swapped ? level.row_period() : level.column_period();
-  const int period_q = plane_.swapped ? level.column_period() : level.row_period();
-  const auto size_p = static_cast<std::int64_t>((plane_.swapped ? level.rows : level.columns).size());
-  const auto size_q = static_cast<std::int64_t>((plane_.swapped ? level.columns : level.rows).size());
-  const double x0 = std::max(std::ldexp(static_cast<double>(p_), level_) - eye_p_, 0.0);
-  const auto q = static_cast<std::int64_t>(across(x0) * inverse_width);
-  renew(p_, period_p, offset_p_);
-  renew(q, period_q, offset_q_);
-  // q never advances faster than p; one more for the voxel it may enter in the last step.
-  return std::min(end_, p_ + std::min(size_p - (p_ + offset_p_), size_q - (q + offset_q_) - 2));
-}
-
-template <bool grid>
 template <class Visit>
-void Walk<grid>::climb(double slope, Visit&& visit) {
-  const double z = view_.z, m = plane_.m, eye_p = eye_p_, eye_q = eye_q_, stop = stop_;
+[[gnu::always_inline]] inline void Walk<grid>::climb(double slope, Visit&& visit) {
+  const double z = view_.z, m = plane_.m, eye_p = eye_p_, eye_q = eye_q_;
   while (p_ < end_ || enter_counted(end_ << level_)) {
-    const double width = std::ldexp(1.0, level_), inverse_width = std::ldexp(1.0, -level_);
-    const std::int64_t lap_end = begin_lap(inverse_width);
-    const Cell* const cells = view_.voxels->level(level_).cells.data();
-    const std::int32_t* const places_p = places_p_;
-    const std::int32_t* const places_q = places_q_;
+    const double width = width_, inverse_width = inverse_width_, stop = stop_;
     double x0 = std::max(static_cast<double>(p_) * width - eye_p, 0.0);
     if (slope >= 0 && view_.voxels->highest() - z <= slope * x0) return;
 
+    // A lap: as far as the tables of places reach. q never advances faster than p; it may enter one more voxel in the
+    // last step.
     auto q0 = static_cast<std::int64_t>((eye_q + x0 * m) * inverse_width);
+    axis_p_.renew(p_);
+    axis_q_.renew(q0);
+    const std::int64_t lap_end =
+        std::min(end_, p_ + std::min(axis_p_.size - (p_ + axis_p_.offset), axis_q_.size - (q0 + axis_q_.offset) - 2));
+    const Cell* const cells = cells_;
+    const std::int32_t* const places_p = axis_p_.places;
+    const std::int32_t* const places_q = axis_q_.places;
+    const std::int64_t offset_p = axis_p_.offset, offset_q = axis_q_.offset;
+
     std::int64_t p = p_;
     double next = static_cast<double>(p_ + 1) * width;
     for (; p < lap_end; ++p, next += width) {
       const double x1 = std::min(next - eye_p, stop);
-      const std::int32_t place_p = places_p[p + offset_p_];
+      const std::int32_t place_p = places_p[p + offset_p];
       const auto met = [&](std::int64_t q, double from, double to) {
-        const Cell* cell = cells + (place_p + places_q[q + offset_q_]);
+        const Cell* cell = cells + (place_p + places_q[q + offset_q]);
         if (!(cell->height - z > slope * (slope < 0 ? to : from))) return true;
         return visit(Voxel{cell, from, to, p, q}, slope);
       };
@@ -257,7 +260,7 @@ void Walk<grid>::climb(double slope, Visit&& visit) {
         if (climbs && from < x1) climbs = met(q0, from, x1);
         if (!climbs) break;
       } else {
-        const double middle = static_cast<double>(p) * width + width / 2 - eye_p;
+        const double middle = next - width / 2 - eye_p;
         if (!met(static_cast<std::int64_t>((eye_q + std::max(middle, 0.0) * m) * inverse_width), x0, x1)) break;
       }
       x0 = x1;
