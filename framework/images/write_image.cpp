@@ -8,9 +8,9 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "files/whole_file.h"
 #include "images/boundary.h"
 #include "images/images.h"
-#include "report/whole_file.h"
 
 namespace moire {
 
@@ -33,7 +33,7 @@ void save(const fs::path& file, const OIIO::ImageSpec& spec, const OIIO::TypeDes
   if (!output->open(file.string(), spec) || !output->write_image(type, values) || !output->close()) {
     throw cannot_encode(file, output->geterror());
   }
-  report::write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 void save_exr(const fs::path& file, int width, int height, const Color* pixels, Depth depth) {

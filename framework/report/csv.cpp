@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "files/whole_file.h"
 #include "report/numbers.h"
-#include "report/whole_file.h"
 
 namespace moire::report {
 namespace {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/whole_file.h"
 #include "report/flattened.h"
 #include "report/html_pictures.h"
 #include "report/html_table.h"
 #include "report/numbers.h"
 #include "report/stylesheet.h"
-#include "report/whole_file.h"
 
 namespace moire::report {
 namespace {

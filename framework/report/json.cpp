@@ -8,8 +8,8 @@
 
 #include <moire/error.h>
 
+#include "files/whole_file.h"
 #include "report/numbers.h"
-#include "report/whole_file.h"
 
 namespace moire::report {
 namespace {

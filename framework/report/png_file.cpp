@@ -7,7 +7,7 @@
 
 #include <moire/error.h>
 
-#include "report/whole_file.h"
+#include "files/whole_file.h"
 
 namespace moire::report {
 namespace {

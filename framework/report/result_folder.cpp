@@ -5,10 +5,10 @@
 #include <moire/error.h>
 #include <moire/image.h>
 
+#include "files/whole_file.h"
 #include "report/csv.h"
 #include "report/error_map.h"
 #include "report/json.h"
-#include "report/whole_file.h"
 
 namespace moire::report {
 

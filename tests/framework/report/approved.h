@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <string>
 
-#include "report/whole_file.h"
+#include "files/whole_file.h"
 
 namespace moire::test {
 
 inline std::string approved(const std::string& name, const std::string& made) {
   const std::filesystem::path file = std::filesystem::path(MOIRE_APPROVED_REPORTS) / name;
-  if (std::getenv("MOIRE_APPROVE")) report::write_whole_file(file, made);
-  return report::read_whole_file(file);
+  if (std::getenv("MOIRE_APPROVE")) write_whole_file(file, made);
+  return read_whole_file(file);
 }
 
 }  // namespace moire::test

@@ -3,10 +3,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <initializer_list>
 
+#include "files/whole_file.h"
 #include "framework/report/sample_results.h"
 #include "message_of.h"
 #include "report/json.h"
-#include "report/whole_file.h"
 #include "temporary_folder.h"
 
 namespace moire::report {

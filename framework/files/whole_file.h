@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace moire::report {
+namespace moire {
 
 // Replaces the file in one step, through a temporary name in the same folder. Safe from many threads and processes.
 // Error: the file cannot be written; what was there stays as it was.
@@ -13,4 +13,4 @@ void write_whole_file(const std::filesystem::path& file, std::string_view conten
 // Error: the file cannot be read.
 std::string read_whole_file(const std::filesystem::path& file);
 
-}  // namespace moire::report
+}  // namespace moire

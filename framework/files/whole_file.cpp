@@ -1,5 +1,5 @@
 // Files that are there whole or not at all.
-#include "report/whole_file.h"
+#include "files/whole_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 
 #include <moire/error.h>
 
-namespace moire::report {
+namespace moire {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ std::string read_whole_file(const fs::path& file) {
   throw Error(fmt::format("{}: cannot be read ({}); a readable file is needed", file.string(), std::strerror(errno)));
 }
 
-}  // namespace moire::report
+}  // namespace moire
