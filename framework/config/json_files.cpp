@@ -56,7 +56,7 @@ std::optional<JsonNode> read_used(const JsonNode& use, const std::string& path, 
                                   const ExperimentPlace& place, Problems& problems) {
   const fs::path file = used_file(use, path, place, problems);
   if (file.empty()) return std::nullopt;
-  const auto source = std::make_shared<Source>(Source{place.as_given(file).string(), file.parent_path()});
+  const auto source = std::make_shared<Source>(Source{place.as_given(file).string(), file.parent_path(), true, true});
   std::optional<JsonNode> tree;
   try {
     tree = parse_json(read_text(file), source, entry, problems);

@@ -19,23 +19,33 @@ std::string short_form(const Parameter& parameter, const Value& value) {
   return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
 }
 
-// Whether the setting in this row of the table tells choices of one type apart.
-bool is_telling(const Choice& choice, std::size_t row, std::span<const Choice> all) {
-  const Value& value = choice.cells[row].value;
-  if (value != default_cell(choice.table[row]).value) return true;
-  return std::any_of(all.begin(), all.end(), [&](const Choice& other) {
-    return other.plugin == choice.plugin && other.cells[row].value != value;
-  });
+// Of each type the rows of its table in which its choices differ.
+using Differences = std::map<const Plugin*, std::vector<bool>>;
+
+Differences differences(std::span<const Choice> choices) {
+  Differences result;
+  std::map<const Plugin*, const Choice*> firsts;
+  for (const Choice& choice : choices) {
+    const Choice& first = *firsts.try_emplace(choice.plugin, &choice).first->second;
+    std::vector<bool>& rows = result.try_emplace(choice.plugin, choice.table.size()).first->second;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (choice.cells[row].value != first.cells[row].value) rows[row] = true;
+    }
+  }
+  return result;
 }
 
-std::string name_of(const Choice& choice, std::span<const Choice> all) {
+bool is_shown(const Choice& choice, std::size_t row, const Differences& differing) {
+  if (!choice.label.empty()) return choice.cells[row].is_of_grid;
+  return differing.at(choice.plugin)[row] || choice.cells[row].value != default_cell(choice.table[row]).value;
+}
+
+std::string name_of(const Choice& choice, const Differences& differing) {
   std::string settings;
   for (std::size_t row = 0; row < choice.table.size(); ++row) {
-    const Cell& cell = choice.cells[row];
-    const bool is_shown = choice.label.empty() ? is_telling(choice, row, all) : cell.is_of_grid;
-    if (!is_shown) continue;
+    if (!is_shown(choice, row, differing)) continue;
     settings += fmt::format("{}{}={}", settings.empty() ? "" : ",", choice.table[row].name,
-                            short_form(choice.table[row], cell.value));
+                            short_form(choice.table[row], choice.cells[row].value));
   }
   const std::string& start = choice.label.empty() ? choice.plugin->name : choice.label;
   return settings.empty() ? start : fmt::format("{}[{}]", start, settings);
@@ -54,9 +64,10 @@ std::string name_problem(std::string_view name) {
 }
 
 void name_choices(std::span<Choice> choices, std::string_view noun, Problems& problems) {
+  const Differences differing = differences(choices);
   std::map<std::string, const Choice*> first_of_name;
   for (Choice& choice : choices) {
-    choice.name = name_of(choice, choices);
+    choice.name = name_of(choice, differing);
     const std::string problem = name_problem(choice.name);
     if (!problem.empty()) {
       problems.add(choice.place, choice.path,

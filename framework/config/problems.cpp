@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <moire/error.h>
@@ -35,10 +36,16 @@ std::string member_path(std::string_view path, std::string_view key) {
 std::string item_path(std::string_view path, std::size_t index) { return fmt::format("{}[{}]", path, index); }
 
 void Problems::add(const Place& place, std::string_view path, std::string_view what) {
+  const Source& source = *place.source;
   const std::string line = place.line > 0 ? fmt::format(":{}", place.line) : "";
   const std::string inside = path.empty() ? "" : fmt::format("{}: ", path);
-  Problem problem{place.source->shown, place.line, fmt::format("{}{}: {}{}", place.source->shown, line, inside, what)};
-  if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end()) problems_.push_back(problem);
+  const std::string_view in_entry = path.substr(source.is_shared ? path.find(']') + 1 : 0);
+  Problem problem{source.shown, place.line, fmt::format("{}: {}", in_entry, what),
+                  fmt::format("{}{}: {}{}", source.shown, line, inside, what)};
+  const bool is_new = std::none_of(problems_.begin(), problems_.end(), [&](const Problem& other) {
+    return std::tie(other.source, other.line, other.fault) == std::tie(problem.source, problem.line, problem.fault);
+  });
+  if (is_new) problems_.push_back(std::move(problem));
 }
 
 void Problems::throw_if_any() const {

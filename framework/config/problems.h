@@ -15,6 +15,7 @@ struct Source {
   std::string shown;             // as the user gave it
   std::filesystem::path folder;  // that relative paths start from; absolute
   bool has_lines = true;
+  bool is_shared = false;  // other entries of the experiment may use it, too
 };
 
 struct Place {
@@ -31,7 +32,8 @@ std::string item_path(std::string_view path, std::size_t index);
 
 class Problems {
  public:
-  // `path` is empty where the whole file is meant. Saying the same twice counts once.
+  // `path` is empty where the whole file is meant. A fault that is there already counts once; one of a
+  // shared file is named for the first entry that uses it.
   void add(const Place& place, std::string_view path, std::string_view what);
 
   void append(const Problems& more) { problems_.insert(problems_.end(), more.problems_.begin(), more.problems_.end()); }
@@ -44,8 +46,8 @@ class Problems {
   struct Problem {
     std::string source;
     int line;
+    std::string fault;  // what it is known by
     std::string text;
-    friend bool operator==(const Problem&, const Problem&) = default;
   };
   std::vector<Problem> problems_;
 };

@@ -50,6 +50,14 @@ TEST_CASE("problems point into the file that they are in") {
         "edges/experiment.json:5: scenes[0].view.pitch_deg: is 91; \"heightfield\" takes -90 to 90 degrees");
 }
 
+TEST_CASE("a fault of a file that several entries use is reported once") {
+  const ExperimentFolder folder;
+  folder.file("configs/a.json", "{\"type\": \"heightfield\",\n\"sky\": [3, 3]}");
+  CHECK(folder.problems_with({R"("scenes": [{"use": "configs/a.json"}, {"use": "configs/a.json", "label": "b"}])"}) ==
+        "configs/a.json:2: scenes[0].sky[0]: is 3; \"heightfield\" takes a colour such as \"#3fa0ff\"\n"
+        "configs/a.json:2: scenes[0].sky[1]: is 3; \"heightfield\" takes a colour such as \"#3fa0ff\"");
+}
+
 TEST_CASE("a used file that is missing, none, no JSON or no object is refused, and nothing more is said of its entry") {
   const ExperimentFolder folder;
   folder.file("configs/list.json", "\n[]");
