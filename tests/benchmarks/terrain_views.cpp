@@ -75,10 +75,13 @@ void OnePiece::area(PixelBlock& block) const {
     block.fill([&](auto add) {
       look_.stretches<false>(
           {x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts, block.counters,
-          [&](std::size_t slot, double weight, const auto& walk, const heightfield::Voxel* voxel, const auto&) {
-            if (!voxel) return add(bottom - slot, background, weight, sky_);
-            add(bottom - slot, walk.element(*voxel), weight, heightfield::color_of(*voxel->cell));
-          });
+          [&](std::size_t slot, double weight, const auto& walk, const heightfield::Voxel* voxel, const auto&,
+              Tally::Sum& sum) {
+            const Color color = voxel ? heightfield::color_of(*voxel->cell) : sky_;
+            sum.add(weight, color);
+            add.record(bottom - slot, voxel ? walk.element(*voxel) : background, weight, color);
+          },
+          [&](std::size_t slot, const Tally::Sum& sum) { add.sum(bottom - slot, sum); });
     });
   }
 }

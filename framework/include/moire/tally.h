@@ -35,6 +35,24 @@ struct Fragment {
 // Sums of a row of slots. A slot is a pixel, or whatever else its owner makes of it.
 class Tally {
  public:
+  // Of weights, and of weights times colours.
+  struct Sum {
+    double weight = 0, r = 0, g = 0, b = 0;
+
+    void add(double w, Color color) {
+      weight += w;
+      r += w * color.r;
+      g += w * color.g;
+      b += w * color.b;
+    }
+    void add(const Sum& other) {
+      weight += other.weight;
+      r += other.r;
+      g += other.g;
+      b += other.b;
+    }
+  };
+
   Tally(std::size_t slots, bool recording) : recording_(recording) { reset(slots); }
 
   // Empties all slots and makes `slots` of them.
@@ -49,21 +67,38 @@ class Tally {
   bool recording() const { return recording_; }
 
   void add(std::size_t slot, Element element, double weight, Color color) {
-    accumulate(slot, weight, color);
+    sums_[slot].add(weight, color);
     if (recording_) record(slot, element, weight, color);
   }
 
-  // Calls body(add), where add(slot, element, weight, color) is Tally::add with the question "recording?"
-  // decided once, outside the loop. For hot loops.
+  // Tally::add with the question "recording?" decided once, outside the loop.
+  template <bool recorded>
+  class Adder {
+   public:
+    explicit Adder(Tally& tally) : tally_(tally) {}
+
+    void operator()(std::size_t slot, Element element, double weight, Color color) const {
+      tally_.sums_[slot].add(weight, color);
+      record(slot, element, weight, color);
+    }
+    // The same in two halves, for loops that deposit many fragments into one slot: the fragment now, and the sum of
+    // all of them, kept by the caller, once at the end.
+    void record(std::size_t slot, Element element, double weight, Color color) const {
+      if constexpr (recorded) tally_.record(slot, element, weight, color);
+    }
+    void sum(std::size_t slot, const Sum& all) const { tally_.sums_[slot].add(all); }
+
+   private:
+    Tally& tally_;
+  };
+
+  // Calls body(add), add an Adder. For hot loops.
   template <class Body>
   void fill(Body&& body) {
     if (recording_) {
-      body([this](std::size_t slot, Element element, double weight, Color color) {
-        accumulate(slot, weight, color);
-        record(slot, element, weight, color);
-      });
+      body(Adder<true>(*this));
     } else {
-      body([this](std::size_t slot, Element, double weight, Color color) { accumulate(slot, weight, color); });
+      body(Adder<false>(*this));
     }
   }
 
@@ -101,9 +136,6 @@ class Tally {
   Counters counters;
 
  private:
-  struct Sum {
-    double weight = 0, r = 0, g = 0, b = 0;
-  };
   static constexpr std::uint32_t none = 0xffffffffU;
   struct Chain {
     std::uint32_t first = none, last = none;
@@ -112,14 +144,6 @@ class Tally {
     Fragment fragment;
     std::uint32_t next;
   };
-
-  void accumulate(std::size_t slot, double weight, Color color) {
-    Sum& sum = sums_[slot];
-    sum.weight += weight;
-    sum.r += weight * color.r;
-    sum.g += weight * color.g;
-    sum.b += weight * color.b;
-  }
 
   void record(std::size_t slot, Element element, double weight, Color color) {
     const auto index = static_cast<std::uint32_t>(entries_.size());

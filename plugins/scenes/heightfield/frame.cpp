@@ -38,20 +38,25 @@ void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const
     if (lookup) {
       look_.stretches<grid()>(
           from, to, cuts, pieces.counters,
-          [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction& d) {
+          [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction& d,
+              moire::Tally::Sum&) {
             if (!voxel) return pieces.add(slot, moire::background, weight, sky_);
             const double middle = (voxel->x0 + voxel->x1) / 2;
             lookup->deposit(look_.surface_point(walk, *voxel, middle, d), texture_, weight, pieces, slot);
-          });
+          },
+          [](std::size_t, const moire::Tally::Sum&) {});
       return;
     }
     pieces.fill([&](auto add) {
       look_.stretches<grid()>(
           from, to, cuts, pieces.counters,
-          [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction&) {
-            if (!voxel) return add(slot, moire::background, weight, sky_);
-            add(slot, walk.element(*voxel), weight, color_of(*voxel->cell));
-          });
+          [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction&,
+              moire::Tally::Sum& sum) {
+            const moire::Color color = voxel ? color_of(*voxel->cell) : sky_;
+            sum.add(weight, color);
+            add.record(slot, voxel ? walk.element(*voxel) : moire::background, weight, color);
+          },
+          [&](std::size_t slot, const moire::Tally::Sum& sum) { add.sum(slot, sum); });
     });
   });
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
+#include <utility>
 
 #include <moire/error.h>
 #include <moire/geometry.h>
@@ -38,13 +40,13 @@ class Look {
   template <bool grid, class Met, class Missed>
   void rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const;
 
-  // Calls add(slot, weight, walk, voxel, direction) for each visible run of the stretches between cuts (see
-  // moire::Lines), voxel null for the sky. What a stretch sees is exact in the vertical plane through its middle: along
-  // lines through the nadir point that is the plane of the line itself.
-  // Error: the line is neither upright nor through the nadir point.
-  template <bool grid, class Add>
-  void stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
-                 Add add) const;
+  // Calls add(slot, weight, walk, voxel, direction, sum) for each visible run of the stretches between cuts (see
+  // moire::Lines), voxel null for the sky, and finish(slot, sum) after each stretch; `sum` begins empty. What a stretch
+  // sees is exact in the vertical plane through its middle: along lines through the nadir point that is the plane of
+  // the line itself. Error: the line is neither upright nor through the nadir point.
+  template <bool grid, class Add, class Finish>
+  void stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters, Add add,
+                 Finish finish) const;
 
   // Where a ray of this slope, which rises above nothing before, meets the voxel's box: its near wall or its top.
   double meeting(const Voxel& voxel, double slope) const {
@@ -87,12 +89,17 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
     last = point;
 
     bool hit = false;
-    walk.climb(slope, [&](const Voxel& voxel, double&) {
-      counters.steps += walk.count(voxel);
+    const auto meet = [&](const Voxel& voxel, double&) __attribute__((always_inline)) {
+      counters.steps += walk.count(voxel.p, voxel.q);
       hit = true;
       met(k, walk, voxel, direction, slope);
       return false;
-    });
+    };
+    if (slope < 0) {
+      walk.template climb<true>(slope, meet);
+    } else {
+      walk.template climb<false>(slope, meet);
+    }
     if (hit) {
       ++counters.hits;
     } else {
@@ -101,9 +108,9 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
   }
 }
 
-template <bool grid, class Add>
+template <bool grid, class Add, class Finish>
 void Look::stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
-                     Add add) const {
+                     Add add, Finish finish) const {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
   const Direction start = camera_.direction(from.x, from.y);
@@ -129,8 +136,11 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     const double p0 = plane.along(start), p1 = plane.along(step);
     const auto slope_at = [&](double t) { return (start.z + t * step.z) / std::max(p0 + t * p1, least_advance); };
     double s0 = slope_at(t0), s1 = slope_at(t1);
+    // Positions on the line, turned where elevation falls along it, so that they rise with the slope.
     const bool rises = s0 <= s1;
     if (!rises) std::swap(t0, t1), std::swap(s0, s1);
+    const double turn = rises ? 1 : -1;
+    const double end_at = turn * t1, turned_p0 = turn * p0, turned_z = turn * start.z;
 
     if (walking && manner_.resume && rises && t0 == reached && plane.same_octant(walk.plane())) {
       walk.turn(plane, manner_.retrace);
@@ -140,36 +150,44 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     walking = true;
     reached = t1;
 
-    double t = t0;
+    double at = turn * t0;
+    moire::Tally::Sum sum;
     const auto deposit = [&](double until, const Voxel* voxel) __attribute__((always_inline)) {
-      const double weight = std::abs(until - t);
-      if (weight > 0) add(slot, weight, walk, voxel, direction);
-      t = until;
+      if (until > at) add(slot, until - at, walk, voxel, direction, sum);
+      at = until;
     };
-    const double low = std::min(t0, t1), high = std::max(t0, t1);
     std::uint64_t hits = 0;
-    Voxel last{};
-    walk.climb(
-        s0, [&](const Voxel& voxel, double& slope) __attribute__((always_inline)) {
-          ++hits;
-          last = voxel;
-          const double top = voxel.cell->height - view_.z;
-          if (top >= s1 * (s1 < 0 ? voxel.x1 : voxel.x0)) {
-            deposit(t1, &voxel);
-            return false;
-          }
-          // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near
-          // one.
-          const double x = top < 0 ? voxel.x1 : voxel.x0;
-          const double until = std::clamp((top * p0 - start.z * x) / (step.z * x - top * p1), low, high);
-          deposit(rises ? std::max(until, t) : std::min(until, t), &voxel);
-          slope = std::min(top / x, s1);
-          return true;
-        });
-    if (t != t1) deposit(t1, nullptr);
+    std::int64_t last_p = 0, last_q = 0;
+    const auto see = [&](auto descends, const Voxel& voxel, double& slope) __attribute__((always_inline)) {
+      ++hits;
+      last_p = voxel.p;
+      last_q = voxel.q;
+      const double top = voxel.cell->height - view_.z;
+      if (top >= s1 * (descends || s1 < 0 ? voxel.x1 : voxel.x0)) {
+        deposit(end_at, &voxel);
+        return false;
+      }
+      // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near one.
+      const double x = descends || top < 0 ? voxel.x1 : voxel.x0;
+      const double until = (top * turned_p0 - turned_z * x) / (step.z * x - top * p1);
+      deposit(std::min(std::max(until, at), end_at), &voxel);
+      slope = std::min(top / x, s1);
+      return true;
+    };
+    if (s1 < 0) {
+      walk.template climb<true>(
+          s0, [&](const Voxel& voxel, double& slope)
+                  __attribute__((always_inline)) { return see(std::true_type{}, voxel, slope); });
+    } else {
+      walk.template climb<false>(
+          s0, [&](const Voxel& voxel, double& slope)
+                  __attribute__((always_inline)) { return see(std::false_type{}, voxel, slope); });
+    }
+    if (at != end_at) deposit(end_at, nullptr);
+    finish(slot, sum);
     ++counters.queries;
     counters.hits += hits;
-    if (hits > 0) counters.steps += walk.count(last);
+    if (hits > 0) counters.steps += walk.count(last_p, last_q);
   };
 
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -178,8 +196,9 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     // The height of the nadir or zenith point, where elevation turns, parts the stretch of an upright line.
     const bool turns = upright && camera_.rises_upward(from.y + t0 * uy) != camera_.rises_upward(from.y + t1 * uy);
     const double split = turns ? std::clamp((nadir.y / nadir.w - from.y) / uy, t0, t1) : t1;
-    if (t0 < split) look_along(i, t0, split);
-    if (split < t1) look_along(i, split, t1);
+    for (const auto& [begin, until] : {std::pair{t0, split}, std::pair{split, t1}}) {
+      if (begin < until) look_along(i, begin, until);
+    }
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int shortest_lap = 256;
 
 std::vector<std::int32_t> wrapped_places(int size, int stride) {
-  std::vector<std::int32_t> places(static_cast<std::size_t>(2 * size + std::max(2 * size, shortest_lap)));
+  std::vector<std::int32_t> places(static_cast<std::size_t>(2 * size + std::max(2 * size, shortest_lap) + steps_ahead));
   for (std::size_t k = 0; k < places.size(); ++k) {
     places[k] =
         static_cast<std::int32_t>(moire::wrapped(static_cast<std::int64_t>(k), size, moire::Wrap::mirror) * stride);

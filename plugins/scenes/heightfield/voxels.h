@@ -19,6 +19,9 @@ struct Cell {
   float rgb[3];
 };
 
+// How far ahead of itself a walk fetches cells.
+inline constexpr int steps_ahead = 12;
+
 class Voxels {
  public:
   // Levels: all whose width divides both sides of the map, so that the levels' mirror images coincide.
@@ -28,7 +31,7 @@ class Voxels {
     int width, height;
     std::vector<Cell> cells;  // rows follow each other
     // Places in `cells` of wrapped columns and rows: entry k stands for index k, beginning at 0 and going on for two
-    // mirror periods or more, so that a walk looks up a neighbour without dividing.
+    // mirror periods or more, so that a walk looks up a neighbour without dividing, and steps_ahead beyond.
     std::vector<std::int32_t> columns, rows;
     int column_period() const { return 2 * width; }
     int row_period() const { return 2 * height; }

@@ -67,12 +67,13 @@ class Walk {
 
   // Visits, from where the walk stands, every voxel that rises above the ray of `slope`: visit(voxel, slope) may raise
   // the slope, and ends the climb at that voxel by returning false. Otherwise it ends at the far limit.
-  template <class Visit>
+  // `descends`: the slope is and stays below 0, so that of every box only the far edge counts.
+  template <bool descends, class Visit>
   void climb(double slope, Visit&& visit);
 
-  // Voxels between the last one counted and this one; 1 for the first.
-  std::uint64_t count(const Voxel& voxel) {
-    const std::int64_t index = place_of_level_ + voxel.p + (grid ? voxel.q : 0);
+  // Voxels between the last one counted and that at (p, q); 1 for the first.
+  std::uint64_t count(std::int64_t p, std::int64_t q) {
+    const std::int64_t index = place_of_level_ + p + (grid ? q : 0);
     const std::int64_t steps = counted_ == nothing ? 1 : index - counted_;
     counted_ = index;
     return static_cast<std::uint64_t>(steps);
@@ -197,7 +198,7 @@ bool Walk<grid>::enter(std::int64_t p0) {
   const Voxels::Level& level = view_.voxels->level(level_);
   cells_ = level.cells.data();
   const auto axis = [](const std::vector<std::int32_t>& places, int period) {
-    return Axis{places.data(), static_cast<std::int64_t>(places.size()), period, 0};
+    return Axis{places.data(), static_cast<std::int64_t>(places.size()) - steps_ahead, period, 0};
   };
   axis_p_ = plane_.swapped ? axis(level.rows, level.row_period()) : axis(level.columns, level.column_period());
   axis_q_ = plane_.swapped ? axis(level.columns, level.column_period()) : axis(level.rows, level.row_period());
@@ -218,17 +219,18 @@ bool Walk<grid>::enter_counted(std::int64_t p0) {
 }
 
 template <bool grid>
-template <class Visit>
+template <bool descends, class Visit>
 [[gnu::always_inline]] inline void Walk<grid>::climb(double slope, Visit&& visit) {
-  const double z = view_.z, m = plane_.m, eye_p = eye_p_, eye_q = eye_q_;
+  const double z = view_.z, eye_p = eye_p_;
   while (p_ < end_ || enter_counted(end_ << level_)) {
-    const double width = width_, inverse_width = inverse_width_, stop = stop_;
+    // Across, in voxels of the level: scaling by a power of two changes no bits.
+    const double width = width_, stop = stop_, eye_q = eye_q_ * inverse_width_, m = plane_.m * inverse_width_;
     double x0 = std::max(static_cast<double>(p_) * width - eye_p, 0.0);
-    if (slope >= 0 && view_.voxels->highest() - z <= slope * x0) return;
+    if (!descends && slope >= 0 && view_.voxels->highest() - z <= slope * x0) return;
 
     // A lap: as far as the tables of places reach. q never advances faster than p; it may enter one more voxel in the
     // last step.
-    auto q0 = static_cast<std::int64_t>((eye_q + x0 * m) * inverse_width);
+    auto q0 = static_cast<std::int64_t>(eye_q + x0 * m);
     axis_p_.renew(p_);
     axis_q_.renew(q0);
     const std::int64_t lap_end =
@@ -238,22 +240,26 @@ template <class Visit>
     const std::int32_t* const places_q = axis_q_.places;
     const std::int64_t offset_p = axis_p_.offset, offset_q = axis_q_.offset;
 
+    // Cells are fetched some steps before they are looked at: no cache holds a large map.
+    const double ahead = steps_ahead * width;
     std::int64_t p = p_;
     double next = static_cast<double>(p_ + 1) * width;
     for (; p < lap_end; ++p, next += width) {
       const double x1 = std::min(next - eye_p, stop);
       const std::int32_t place_p = places_p[p + offset_p];
+      const auto ahead_q = static_cast<std::int64_t>(eye_q + (x1 + ahead) * m);
+      __builtin_prefetch(cells + (places_p[p + offset_p + steps_ahead] + places_q[ahead_q + offset_q]));
       const auto met = [&](std::int64_t q, double from, double to) {
         const Cell* cell = cells + (place_p + places_q[q + offset_q]);
-        if (!(cell->height - z > slope * (slope < 0 ? to : from))) return true;
+        if (!(cell->height - z > slope * (descends || slope < 0 ? to : from))) return true;
         return visit(Voxel{cell, from, to, p, q}, slope);
       };
       if constexpr (grid) {
-        const auto q1 = static_cast<std::int64_t>((eye_q + x1 * m) * inverse_width);
+        const auto q1 = static_cast<std::int64_t>(eye_q + x1 * m);
         bool climbs = true;
         double from = x0;
         for (; climbs && q0 < q1; ++q0) {
-          const double crossing = std::clamp((static_cast<double>(q0 + 1) * width - eye_q) / m, from, x1);
+          const double crossing = std::clamp((static_cast<double>(q0 + 1) - eye_q) / m, from, x1);
           if (crossing > from) climbs = met(q0, from, crossing);
           from = crossing;
         }
@@ -261,7 +267,7 @@ template <class Visit>
         if (!climbs) break;
       } else {
         const double middle = next - width / 2 - eye_p;
-        if (!met(static_cast<std::int64_t>((eye_q + std::max(middle, 0.0) * m) * inverse_width), x0, x1)) break;
+        if (!met(static_cast<std::int64_t>(eye_q + std::max(middle, 0.0) * m), x0, x1)) break;
       }
       x0 = x1;
     }
