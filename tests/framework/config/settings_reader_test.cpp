@@ -50,7 +50,7 @@ TEST_CASE("the items of a grid are checked one by one") {
 TEST_CASE("a grid that would fill the memory is refused") {
   const ExperimentFolder folder;
   std::string many = "0";
-  for (int i = 1; i < 101; ++i) many += "," + std::to_string(i / 2.0);
+  for (int i = 1; i < 101; ++i) many.append(",").append(std::to_string(i / 2.0));
   CHECK(folder.problems_with({R"("scenes": [{"type": "heightfield", "view": {"pitch_deg": [)" + many +
                               R"(], "height": [)" + many + "]}}]"}) ==
         "edges/experiment.json:4: scenes[0]: its lists make too many combinations; at most 10000 are allowed");

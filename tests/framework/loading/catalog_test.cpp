@@ -120,7 +120,7 @@ TEST_CASE("a plugin whose static constructor throws is an error") {
   const std::string thrower = copy(folder, "throwing", "first.so");
   const std::string other = copy(folder, "no_plugin", "second.so");
   copy(folder, "good_sampler", "third.so");
-  CHECK(output_of(CATALOG_PROBE " " + folder.path().string()) ==
+  CHECK(output_of("'" CATALOG_PROBE "' " + folder.path().string()) ==
         thrower +
             ": threw an exception while it was opened (no table for this machine); a plugin's static objects must "
             "not throw\n" +

@@ -301,13 +301,13 @@ TEST_CASE("images are read and written by many threads at once") {
 TEST_CASE("OpenImageIO is loaded by the first image and not before") {
   const TemporaryFolder folder;
   const fs::path file = folder.file("a.png", png_bytes(1, 1, 8, PngColor::grey, "\x80"));
-  CHECK(output_of(IMAGE_PROBES "/image_probe " + file.string()) == "before: 0\nwidth: 1\nafter: 1\nexit 0");
+  CHECK(output_of("'" IMAGE_PROBES "/image_probe' " + file.string()) == "before: 0\nwidth: 1\nafter: 1\nexit 0");
 }
 
 TEST_CASE("without its module the SDK says what is missing") {
   const std::string module = IMAGE_PROBES "/moire/moire_images.so";
   CHECK(
-      output_of(IMAGE_PROBES "/image_probe_alone a.png") ==
+      output_of("'" IMAGE_PROBES "/image_probe_alone' a.png") ==
       "before: 0\n" + module + ": cannot be opened (" + module +
           ": cannot open shared object file: No such file or directory); reading and writing images needs this part of "
           "moire and the OpenImageIO library (Debian: libopenimageio-dev)\nafter: 0\nexit 0");
