@@ -155,6 +155,12 @@ class ExperimentReader {
         if (!problem.empty()) problems_.add(sampler.place, sampler.path, problem);
       }
     }
+    for (const MetricEntry& metric : metrics_) {
+      for (const Choice& scene : scenes_) {
+        const std::string problem = mismatch(scene_of(scene), metric.choice, vocabulary_);
+        if (!problem.empty()) problems_.add(metric.place, metric.path, problem);
+      }
+    }
   }
 
   nlohmann::ordered_json request() const {

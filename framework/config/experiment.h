@@ -72,6 +72,8 @@ Experiment read_experiment(const std::filesystem::path& path, const Vocabulary& 
 
 // Why this sampler cannot run on this scene; empty where it can.
 std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary);
+// Why this scene cannot be judged by this metric; empty where it can.
+std::string mismatch(const SceneChoice& scene, const MetricChoice& metric, const Vocabulary& vocabulary);
 
 // The experiment file format as JSON Schema (draft 7), for editors.
 nlohmann::ordered_json experiment_schema(const Vocabulary& vocabulary);

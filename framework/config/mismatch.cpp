@@ -1,4 +1,5 @@
-// Whether a sampler can run on a scene: it can if the scene answers all that the sampler and its lookup ask.
+// Whether a sampler can run on a scene, and a metric judge it: if the scene answers all that they and the lookup ask.
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,17 +43,34 @@ std::string fitting_scenes(Questions questions, const Vocabulary& vocabulary) {
   return names.empty() ? "no known scene does" : "scenes that do: " + listed(names);
 }
 
+// Who asks for what, and why if that is not plain from the name.
+std::string refusal(std::string_view who, Questions missing, std::string_view why, const SceneChoice& scene,
+                    const std::string& advice) {
+  return fmt::format("\"{}\" asks for {}{}, which scene \"{}\" ({}) does not have; {}", who, in_words(missing), why,
+                     scene.name, scene.plugin->name, advice);
+}
+
+Questions missing_in(const SceneChoice& scene, Questions questions) {
+  return without(questions, scene.plugin->scene->answers(scene.settings));
+}
+
 }  // namespace
 
 std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary) {
-  const Questions questions = asked(sampler, vocabulary);
-  const Questions missing = without(questions, scene.plugin->scene->answers(scene.settings));
+  const Questions questions = asked(sampler, vocabulary), missing = missing_in(scene, questions);
   if (missing == Questions::none) return "";
   const Questions own = sampler.plugin->sampler->asks(sampler.settings);
   const bool is_for_lookup = without(missing, own) != Questions::none;
-  return fmt::format("\"{}\" asks for {}{}, which scene \"{}\" ({}) does not have; {}", sampler.name, in_words(missing),
-                     is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "", scene.name,
-                     scene.plugin->name, fitting_scenes(questions, vocabulary));
+  return refusal(sampler.name, missing, is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "",
+                 scene, fitting_scenes(questions, vocabulary));
+}
+
+std::string mismatch(const SceneChoice& scene, const MetricChoice& metric, const Vocabulary& vocabulary) {
+  const auto description = std::find_if(vocabulary.metrics.begin(), vocabulary.metrics.end(),
+                                        [&](const MetricDescription* m) { return m->name == metric.name; });
+  const Questions questions = (*description)->asks(metric.settings), missing = missing_in(scene, questions);
+  if (missing == Questions::none) return "";
+  return refusal(metric.name, missing, "", scene, fitting_scenes(questions, vocabulary));
 }
 
 }  // namespace moire

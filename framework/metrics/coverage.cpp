@@ -146,6 +146,10 @@ const MetricDescription coverage_description{
     .source = "Cohen-Or 1997, section 7: P, L, V, M and M/V; leak and weight error are ours",
     .parameters = parameters,
     .quantities = quantities,
+    .asks =
+        [](const Settings& settings) {
+          return settings.text("against") == "column" ? Questions::lines : Questions::none;
+        },
 };
 
 std::unique_ptr<Metric> make_coverage(const Settings& settings) { return std::make_unique<Coverage>(settings); }

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include <moire/settings.h>
+#include <moire/plugin.h>
 
 namespace moire {
 
@@ -24,6 +24,8 @@ struct MetricDescription {
   std::string_view source;   // paper and section, or empty
   std::span<const Parameter> parameters;
   std::span<const Quantity> quantities;
+  // What a scene must answer for this pass, beside what its samplers ask.
+  Questions (*asks)(const Settings&) = [](const Settings&) { return Questions::none; };
 };
 
 }  // namespace moire

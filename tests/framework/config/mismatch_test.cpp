@@ -37,5 +37,16 @@ TEST_CASE("a lookup asks too, unless it is the first") {
       "its lookup, bilinear), which scene \"cartoon\" (cartoon) does not have; no known scene does");
 }
 
+TEST_CASE("a metric asks too, of every scene") {
+  const ExperimentFolder folder;
+  const std::string scenes = R"("scenes": [{"type": "textured_plane", "label": "plane"}, "heightfield"])";
+  CHECK(folder.problems_with({scenes, R"("metrics": ["error", {"type": "coverage", "against": "column"}])"}) ==
+        "edges/experiment.json:6: metrics[1]: \"coverage\" asks for lines, which scene \"plane\" (textured_plane) does "
+        "not "
+        "have; scenes that do: cartoon, heightfield");
+  CHECK(folder.problems_with({scenes, R"("metrics": ["error", {"type": "coverage", "against": "pixel"}])"}) ==
+        "(no error)");
+}
+
 }  // namespace
 }  // namespace moire::test

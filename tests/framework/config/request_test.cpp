@@ -51,7 +51,7 @@ TEST_CASE("reading the request gives the same experiment, wherever in the projec
       {R"("samplers": [{"type": "area", "blur": [0.1, 1e-300, 123456789.123456789, 1e21], "label": "a, \\ b"}])"},
       {R"("scenes": ["heightfield", {"use": "configs/scene.json", "view": {"pitch_deg": [-3, -0.1]}}])"},
       {R"("reference": {"type": "supersample", "n": 64})",
-       R"("metrics": ["coverage", {"type": "coverage", "against": "pixel"}, "error"])"},
+       R"("metrics": ["speed", {"type": "coverage", "against": "pixel"}, "error"])"},
       {R"("reference": {"type": "point", "label": "auto"})"},
   };
   std::filesystem::create_directories(folder.path() / "results/edges");

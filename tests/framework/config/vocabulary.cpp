@@ -60,8 +60,14 @@ constexpr ScenePlugin cartoon{.summary = "Polygons.", .source = "", .answers = [
                               }};
 
 constexpr Parameter coverage_parameters[] = {choice("against", "column", "column pixel", "what is counted as visible")};
-constexpr MetricDescription coverage{
-    .name = "coverage", .summary = "Elements seen.", .source = "", .parameters = coverage_parameters, .quantities = {}};
+constexpr MetricDescription coverage{.name = "coverage",
+                                     .summary = "Elements seen.",
+                                     .source = "",
+                                     .parameters = coverage_parameters,
+                                     .quantities = {},
+                                     .asks = [](const Settings& settings) {
+                                       return settings.text("against") == "column" ? Questions::lines : Questions::none;
+                                     }};
 constexpr MetricDescription error{
     .name = "error", .summary = "Colour.", .source = "", .parameters = {}, .quantities = {}};
 constexpr MetricDescription speed{
