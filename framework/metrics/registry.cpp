@@ -1,5 +1,6 @@
 #include "metrics/registry.h"
 
+#include <algorithm>
 #include <array>
 
 namespace moire {
@@ -20,6 +21,11 @@ std::span<const MetricDescription* const> metric_descriptions() {
     return result;
   }();
   return descriptions;
+}
+
+const RegisteredMetric& registered_metric(std::string_view name) {
+  const auto entries = registered_metrics();
+  return *std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.description->name == name; });
 }
 
 }  // namespace moire

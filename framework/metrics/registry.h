@@ -16,6 +16,8 @@ struct RegisteredMetric {
 
 std::span<const RegisteredMetric> registered_metrics();
 std::span<const MetricDescription* const> metric_descriptions();
+// Requires: a name of one of them.
+const RegisteredMetric& registered_metric(std::string_view name);
 
 extern const MetricDescription error_description, coverage_description, speed_description;
 std::unique_ptr<Metric> make_error(const Settings& settings);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "metrics/registry.h"
 #include "run/hash.h"
 
 namespace moire {
@@ -27,6 +28,15 @@ nlohmann::ordered_json content_of(const SceneChoice& scene, ContentHashes& hashe
     if (parameter.type != Type::file) continue;
     const std::string& file = scene.settings.text(parameter.name);
     if (!file.empty()) json[std::string(parameter.name)] = hashes.of(file);
+  }
+  return json;
+}
+
+// The passes that judge one contender after another; timing is no part of a job.
+nlohmann::ordered_json metrics_of(const Experiment& experiment) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MetricChoice& metric : experiment.metrics) {
+    if (registered_metric(metric.name).make) json.push_back({metric.name, json_of(metric.settings)});
   }
   return json;
 }
@@ -65,14 +75,17 @@ std::vector<std::filesystem::path> data_files(const SceneChoice& scene) {
 }
 
 std::string job_key(const Experiment& experiment, const SceneChoice& scene, const SamplerChoice& sampler,
-                    ContentHashes& hashes) {
+                    const SamplerChoice& reference, ContentHashes& hashes) {
+  const auto content = [&](const SamplerChoice& s) {
+    return nlohmann::ordered_json{s.plugin->name, hashes.of(s.plugin->file), json_of(s.settings), s.lookup};
+  };
   const nlohmann::ordered_json all{
       {"program", hashes.of("/proc/self/exe")},
       {"image", {experiment.image.width, experiment.image.height}},
       {"scene", {scene.plugin->name, hashes.of(scene.plugin->file), content_of(scene, hashes)}},
-      {"sampler", {sampler.plugin->name, hashes.of(sampler.plugin->file), json_of(sampler.settings), sampler.lookup}},
-      {"reference", experiment.request.value("reference", nlohmann::ordered_json())},
-      {"metrics", experiment.request.value("metrics", nlohmann::ordered_json())},
+      {"sampler", content(sampler)},
+      {"reference", content(reference)},
+      {"metrics", metrics_of(experiment)},
       {"seed", experiment.seed},
   };
   return hash_of(all.dump());
@@ -101,7 +114,8 @@ nlohmann::ordered_json make_manifest(const Experiment& experiment, std::span<con
     manifest["plugins"][name] = {{"version", plugin->version}, {"hash", hashes.of(plugin->file)}};
   }
   for (const SceneChoice& scene : experiment.scenes) {
-    for (const auto& file : data_files(scene)) manifest["data"][(file.parent_path().filename() / file.filename()).string()] = hashes.of(file);
+    for (const auto& file : data_files(scene))
+      manifest["data"][(file.parent_path().filename() / file.filename()).string()] = hashes.of(file);
   }
   return manifest;
 }

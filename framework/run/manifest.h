@@ -24,9 +24,10 @@ class ContentHashes {
 // The data files that a scene's settings name.
 std::vector<std::filesystem::path> data_files(const SceneChoice& scene);
 
-// The key of a job: a hash of all that its result depends on, and of nothing else.
+// The key of a job: a hash of all that its result depends on, and of nothing else. `reference`: what the scene's
+// contenders are judged against, whether the experiment names it or not.
 std::string job_key(const Experiment& experiment, const SceneChoice& scene, const SamplerChoice& sampler,
-                    ContentHashes& hashes);
+                    const SamplerChoice& reference, ContentHashes& hashes);
 
 // `command`: as the user gave it.
 nlohmann::ordered_json make_manifest(const Experiment& experiment, std::span<const std::string> command, int threads,

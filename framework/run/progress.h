@@ -18,6 +18,8 @@ class Progress {
   // How much of it is done, 0 .. 1.
   void advance(double share);
   void end();
+  // Pieces of work that will not be done.
+  void skip(std::size_t steps) { done_ += steps; }
   // A message of its own line.
   void note(const std::string& text);
 

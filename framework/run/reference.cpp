@@ -35,6 +35,19 @@ SamplerChoice with_effort(const Plugin& plugin, Questions answered, int effort, 
   return choice;
 }
 
+Value value_of(const Parameter& parameter, std::string_view text) {
+  switch (parameter.type) {
+    case Type::flag:
+      return text == "true";
+    case Type::integer:
+      return std::int64_t{std::stoll(std::string(text))};
+    case Type::real:
+      return std::stod(std::string(text));
+    default:
+      return std::string(text);
+  }
+}
+
 }  // namespace
 
 ReferenceChoice best_reference(const Catalog& catalog, Questions answered) {
@@ -54,12 +67,7 @@ ReferenceChoice best_reference(const Catalog& catalog, Questions answered) {
 
 Settings exact_settings(const ScenePlugin& scene, Settings settings) {
   for (const Parameter& parameter : scene.parameters) {
-    if (parameter.exact.empty()) continue;
-    if (parameter.type == Type::flag) {
-      settings.set(parameter.name, parameter.exact == "true");
-    } else {
-      settings.set(parameter.name, std::string(parameter.exact));
-    }
+    if (!parameter.exact.empty()) settings.set(parameter.name, value_of(parameter, parameter.exact));
   }
   return settings;
 }

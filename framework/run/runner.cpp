@@ -21,17 +21,10 @@ namespace moire {
 
 namespace {
 
-const RegisteredMetric& entry_of(const MetricChoice& choice) {
-  for (const RegisteredMetric& entry : registered_metrics()) {
-    if (entry.description->name == choice.name) return entry;
-  }
-  throw Error("metric " + choice.name + ": not in the registry");
-}
-
 std::vector<Explanation> explanations(const Experiment& experiment) {
   std::vector<Explanation> result;
   for (const MetricChoice& choice : experiment.metrics) {
-    for (const Quantity& q : entry_of(choice).description->quantities) {
+    for (const Quantity& q : registered_metric(choice.name).description->quantities) {
       result.push_back({std::string(q.name), std::string(q.unit), std::string(q.meaning), q.lower_is_better,
                         q.is_judged, q.is_main});
     }
@@ -44,6 +37,13 @@ std::string_view unit_of(const MetricDescription& description, std::string_view 
     if (q.name == quantity) return q.unit;
   }
   return "";
+}
+
+// The reference, the contenders, and timing if it is asked for.
+std::size_t steps_a_scene(const Experiment& experiment) {
+  std::size_t speeds = 0;
+  for (const MetricChoice& metric : experiment.metrics) speeds += registered_metric(metric.name).make == nullptr;
+  return 1 + experiment.samplers.size() + speeds;
 }
 
 // What went wrong, as a person can use it, whatever was thrown.
@@ -76,17 +76,19 @@ class SceneRun {
     step(choice_.name, "reference", [&] { prepare(); });
     if (!frame_) {
       results_.failures.back().message += "; no contender ran on this scene";
+      progress_.skip(steps_a_scene(experiment_) - 1);
       return sink_.save(results_);
     }
     for (const SamplerChoice& sampler : experiment_.samplers) {
       step(choice_.name, sampler.name, [&] {
         judge(sampler);
-        results_.jobs[choice_.name + "/" + sampler.name] = job_key(experiment_, choice_, sampler, hashes);
+        results_.jobs[choice_.name + "/" + sampler.name] =
+            job_key(experiment_, choice_, sampler, reference_choice_.sampler, hashes);
       });
     }
     if (!error_sum_.empty()) scene_result().detail_window = worst_window(error_sum_, experiment_.image);
     for (const MetricChoice& metric : experiment_.metrics) {
-      if (!entry_of(metric).make) step(choice_.name, "speed", [&] { time(metric.settings); });
+      if (!registered_metric(metric.name).make) step(choice_.name, "speed", [&] { time(metric.settings); });
     }
     sink_.save(results_);
   }
@@ -156,7 +158,7 @@ class SceneRun {
     std::vector<Pass> passes;
     bool recording = false;
     for (const MetricChoice& choice : experiment_.metrics) {
-      const RegisteredMetric& entry = entry_of(choice);
+      const RegisteredMetric& entry = registered_metric(choice.name);
       if (!entry.make) continue;
       passes.push_back({&entry, entry.make(choice.settings)});
       passes.back().metric->begin(experiment_.image);
@@ -263,9 +265,7 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
                                   std::string(sampler.plugin->source())});
   }
 
-  std::size_t speeds = 0;
-  for (const MetricChoice& metric : experiment.metrics) speeds += entry_of(metric).make == nullptr;
-  Progress progress(experiment.scenes.size() * (experiment.samplers.size() + 1 + speeds));
+  Progress progress(experiment.scenes.size() * steps_a_scene(experiment));
   try {
     for (std::size_t k = 0; k < experiment.scenes.size(); ++k) {
       const SceneChoice& scene = experiment.scenes[k];
