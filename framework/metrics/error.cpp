@@ -28,6 +28,9 @@ constexpr Quantity quantities[] = {
      .meaning = "share of pixels of which a channel is off by more than bad_above"},
 };
 
+// The larger of two errors, and not-a-number if one of them is: it must never pass for a small error.
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
 class ErrorMetric final : public Metric {
  public:
   explicit ErrorMetric(const Settings& settings)
@@ -44,10 +47,9 @@ class ErrorMetric final : public Metric {
       for (std::size_t c = 0; c < 3; ++c) {
         const double size = std::abs(differences_[k + c]);
         sum += size;
-        // Written so that not-a-number stays: it must never pass for a small error.
-        if (!(size <= worst)) worst = size;
+        worst = larger(worst, size);
       }
-      if (!(worst <= largest)) largest = worst;
+      largest = larger(largest, worst);
       if (!(worst <= bad_above_)) ++bad;
     }
     const auto channels = static_cast<double>(differences_.size());

@@ -18,7 +18,8 @@ struct Strand {
 
 class Strands {
  public:
-  // Of pixels (x, y0) .. (x, y0 + height - 1). Error: the sampler gave no points, or points outside the pixel.
+  // Of pixels (x, y0) .. (x, y0 + height - 1). Error: the sampler gave no points, points outside the pixel, or
+  // weights that cannot be divided by their sum.
   Strands(const PointSampler& sampler, Pixel pixel, int y0, int height);
 
   std::vector<Strand>& all() { return strands_; }
