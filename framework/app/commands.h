@@ -1,14 +1,20 @@
-// The commands: each prints its answer on stdout and returns the exit code (0 done, 1 something failed in a run).
-// Error: the request is wrong (exit code 2).
+// The commands: each prints its answer on stdout and returns the exit code. Error: the request is wrong.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/session.h"
 
 namespace moire::app {
+
+// Exit codes. `failed`: what could only be found out while running.
+inline constexpr int done = 0, failed = 1, wrong_request = 2;
+
+// Does the work itself, after the request was found to be right: what it throws is printed and means `failed`.
+int attempt(const std::function<int()>& work);
 
 struct RunOptions {
   std::filesystem::path experiment;

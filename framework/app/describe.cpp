@@ -139,19 +139,19 @@ int describe(const Session& session, const std::string& name, bool as_json) {
     if (d.name == name) found.push_back(&d);
   }
   if (found.empty()) {
-    throw Error(fmt::format("{}: no sampler, scene, metric or lookup has this name{}; `moire list` shows all", name,
+    throw Error(fmt::format("{}: no sampler, scene, metric or lookup has this name{} `moire list` shows all", name,
                             did_you_mean(name, names)));
   }
   for (const Described* d : found) {
     if (d != found.front() && !as_json) fmt::print("\n");
     as_json ? fmt::print("{}\n", as_json_object(*d).dump(2)) : print(*d);
   }
-  return 0;
+  return done;
 }
 
 int schema(const Session& session) {
   fmt::print("{}\n", experiment_schema(session.vocabulary).dump(2));
-  return 0;
+  return done;
 }
 
 }  // namespace moire::app

@@ -74,14 +74,14 @@ int list(const Session& session, const std::string& what, bool as_json) {
   if (!what.empty()) std::erase_if(shown, [&](const Section& s) { return s.title != what; });
   if (as_json) {
     fmt::print("{}\n", as_json_object(session, shown).dump(2));
-    return 0;
+    return done;
   }
   for (const Section& section : shown) {
     fmt::print("{}{}\n", &section == &shown.front() ? "" : "\n", section.title);
     for (const auto& [name, summary] : section.entries) fmt::print("  {:<16} {}\n", name, summary);
   }
   if (what.empty()) print_pairs(session);
-  return 0;
+  return done;
 }
 
 }  // namespace moire::app

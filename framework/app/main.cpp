@@ -8,12 +8,11 @@
 #include <moire/error.h>
 
 #include "app/commands.h"
+#include "config/nearest_name.h"
 
 namespace {
 
 using namespace moire;
-
-constexpr int done = 0, wrong_request = 2;
 
 struct Options {
   std::vector<std::filesystem::path> plugins, folders;
@@ -92,6 +91,16 @@ void declare(CLI::App& cli, Options& o, std::function<int()>& chosen) {
   command("schema", "The JSON Schema of experiment files, for editors", [session] { return app::schema(session()); });
 }
 
+// The message about a command that is none; empty if the mistake is another one.
+std::string unknown_command(const CLI::App& cli) {
+  const std::vector<std::string> left = cli.remaining();
+  if (!cli.get_subcommands().empty() || left.empty() || left.front().starts_with('-')) return "";
+  std::vector<std::string_view> known;
+  for (const CLI::App* command : cli.get_subcommands({})) known.push_back(command->get_name());
+  return fmt::format("{}: there is no such command{} known are {}", left.front(), did_you_mean(left.front(), known),
+                     listed(known));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -104,7 +113,11 @@ int main(int argc, char** argv) {
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return cli.exit(e) == 0 ? done : wrong_request;
+    if (const std::string message = unknown_command(cli); !message.empty()) {
+      fmt::print(stderr, "{}\n", message);
+      return app::wrong_request;
+    }
+    return cli.exit(e) == 0 ? app::done : app::wrong_request;
   }
   try {
     return chosen();
@@ -113,5 +126,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& e) {
     fmt::print(stderr, "moire: {}\n", e.what());
   }
-  return wrong_request;
+  return app::wrong_request;
 }

@@ -1,12 +1,13 @@
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include <moire/error.h>
 
 #include "app/commands.h"
+#include "app/replaced.h"
 #include "app/sampler_template.h"
+#include "files/whole_file.h"
 
 namespace moire::app {
 
@@ -25,18 +26,6 @@ std::string class_name(const std::string& name) {
     }
   }
   return result;
-}
-
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
-}
-
-void write(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream stream(file);
-  stream << content;
-  if (!stream.flush()) throw Error(file.string() + ": cannot be written; choose another folder with -o");
 }
 
 }  // namespace
@@ -62,11 +51,12 @@ int new_plugin(const std::string& kind, const std::string& name, const std::file
   if (error)
     throw Error(
         fmt::format("{}: cannot be made ({}); choose another folder with -o", folder.string(), error.message()));
-  write(folder / (name + ".cpp"), replaced(replaced(sampler_source, "@name@", name), "@Class@", class_name(name)));
-  write(folder / "CMakeLists.txt", replaced(sampler_build, "@name@", name));
+  write_whole_file(folder / (name + ".cpp"),
+                   replaced(replaced(sampler_source, "@name@", name), "@Class@", class_name(name)));
+  write_whole_file(folder / "CMakeLists.txt", replaced(sampler_build, "@name@", name));
   fmt::print("{}: a sampler with one point in each pixel's middle; change points() and build it\n",
              (folder / (name + ".cpp")).string());
-  return 0;
+  return done;
 }
 
 }  // namespace moire::app

@@ -1,5 +1,4 @@
 #include <cstdlib>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,8 @@
 #include <moire/image.h>
 
 #include "app/commands.h"
+#include "app/replaced.h"
+#include "files/whole_file.h"
 #include "run/contender.h"
 
 namespace moire::app {
@@ -38,6 +39,18 @@ nlohmann::json scene_entry(const std::string& scene) {
   return {{"use", std::filesystem::absolute(scene).string()}};
 }
 
+// Messages speak of the command, not of the file that it wrote for a moment.
+Experiment checked(const nlohmann::json& request, const Vocabulary& vocabulary, const Overrides& overrides) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "experiment.json";
+  write_whole_file(file, request.dump());
+  try {
+    return read_experiment(file, vocabulary, overrides);
+  } catch (const Error& error) {
+    throw Error(replaced(error.what(), file.string() + ":1: ", "render: "));
+  }
+}
+
 // "scene.x=1" means the only scene of the experiment.
 std::string as_set(const std::string& set) {
   for (const auto& [mine, list] : {std::pair{"scene.", "scenes[0]."}, {"sampler.", "samplers[0]."}}) {
@@ -57,18 +70,18 @@ int render(const Session& session, const RenderOptions& options) {
                                {"samplers", {options.sampler}}};
   Overrides overrides;
   for (const std::string& set : options.sets) overrides.sets.push_back(as_set(set));
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "experiment.json") << request.dump();
-  const Experiment experiment = read_experiment(folder.path(), session.vocabulary, overrides);
+  const Experiment experiment = checked(request, session.vocabulary, overrides);
 
-  const SceneChoice& choice = experiment.scenes.front();
-  const auto scene = choice.plugin->scene->make(choice.settings);
-  const auto frame = scene->frame(choice.settings, experiment.image);
-  const Picture picture =
-      render_picture(Contender(experiment.samplers.front()), *frame, experiment.seed, Workers(options.threads));
-  write_image(options.output, picture.size.width, picture.size.height, picture.pixels);
-  fmt::print("{}: {} on {}\n", options.output.string(), experiment.samplers.front().name, choice.name);
-  return 0;
+  return attempt([&] {
+    const SceneChoice& choice = experiment.scenes.front();
+    const auto scene = choice.plugin->scene->make(choice.settings);
+    const auto frame = scene->frame(choice.settings, experiment.image);
+    const Picture picture =
+        render_picture(Contender(experiment.samplers.front()), *frame, experiment.seed, Workers(options.threads));
+    write_image(options.output, picture.size.width, picture.size.height, picture.pixels);
+    fmt::print("{}: {} on {}\n", options.output.string(), experiment.samplers.front().name, choice.name);
+    return done;
+  });
 }
 
 }  // namespace moire::app

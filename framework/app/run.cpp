@@ -8,6 +8,23 @@
 
 namespace moire::app {
 
+namespace {
+
+std::string counted(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+int attempt(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return failed;
+  }
+}
+
 int run(const Session& session, const RunOptions& options) {
   const Experiment experiment = read_experiment(options.experiment, session.vocabulary, options.overrides);
   report::ResultFolder folder(options.output.empty() ? std::filesystem::path("results") / experiment.name
@@ -16,20 +33,19 @@ int run(const Session& session, const RunOptions& options) {
 
   catch_interrupts();
   const Workers workers(options.threads);
-  const Results results = run_experiment(experiment, session.catalog, workers, folder, options.command);
-  report::write_html(folder.path());
-
-  fmt::print("{}\n", report::summary_text(results));
-  if (results.interrupted) fmt::print("Interrupted; what was finished is kept.\n");
-  fmt::print("Report: {}\n", (folder.path() / "report.html").string());
-  return results.interrupted || !results.failures.empty() ? 1 : 0;
+  return attempt([&] {
+    const Results results = run_experiment(experiment, session.catalog, workers, folder, options.command);
+    report::write_html(folder.path());
+    fmt::print("{}\nReport: {}\n", report::summary_text(results), (folder.path() / "report.html").string());
+    return results.interrupted || !results.failures.empty() ? failed : done;
+  });
 }
 
 int check(const Session& session, const std::filesystem::path& path, const Overrides& overrides) {
   const Experiment experiment = read_experiment(path, session.vocabulary, overrides);
-  fmt::print("{}: {} scenes, {} samplers, {} metrics: nothing is wrong.\n", experiment.name, experiment.scenes.size(),
-             experiment.samplers.size(), experiment.metrics.size());
-  return 0;
+  fmt::print("{}: {}, {}, {}: nothing is wrong.\n", experiment.name, counted(experiment.scenes.size(), "scene"),
+             counted(experiment.samplers.size(), "sampler"), counted(experiment.metrics.size(), "metric"));
+  return done;
 }
 
 int report(const std::vector<std::filesystem::path>& folders) {
@@ -37,7 +53,7 @@ int report(const std::vector<std::filesystem::path>& folders) {
     report::write_html(folder);
     fmt::print("Report: {}\n", (folder / "report.html").string());
   }
-  return 0;
+  return done;
 }
 
 }  // namespace moire::app

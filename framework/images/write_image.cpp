@@ -40,6 +40,7 @@ void save_exr(const fs::path& file, int width, int height, const Color* pixels, 
   static_assert(sizeof(Color) == 3 * sizeof(float));
   OIIO::ImageSpec spec(width, height, 3, depth == Depth::half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
   spec["oiio:ColorSpace"] = "Linear";
+  spec["DateTime"] = "";  // else OpenImageIO writes the time of day, and no two runs give the same file
   save(file, spec, OIIO::TypeDesc::FLOAT, pixels);
 }
 

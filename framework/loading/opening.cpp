@@ -25,10 +25,11 @@ dll::shared_library& kept(dll::shared_library library) {
 // Boost.DLL alone would end the program where a static constructor throws: <dlfcn.h> declares that dlopen never throws,
 // so that its caller has no way out prepared. A pointer that the compiler cannot see through makes no such promise.
 void run_static_constructors(const std::filesystem::path& file) {
+  const std::filesystem::path absolute = std::filesystem::absolute(file);  // not looked for in the system's folders
   void* (*volatile const open_library)(const char*, int) = &dlopen;
   void* library = nullptr;
   try {
-    library = open_library(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    library = open_library(absolute.c_str(), RTLD_NOW | RTLD_LOCAL);
   } catch (const std::exception& thrown) {
     throw Error(fmt::format("{}: threw an exception while it was opened ({}); a plugin's static objects must not throw",
                             file.string(), thrown.what()));
@@ -40,9 +41,9 @@ void run_static_constructors(const std::filesystem::path& file) {
 }
 
 const dll::shared_library& open(const std::filesystem::path& file) {
-  const std::filesystem::path absolute = std::filesystem::absolute(file);  // not looked for in the system's folders
-  run_static_constructors(absolute);
-  return kept(dll::shared_library(absolute, dll::load_mode::rtld_now | dll::load_mode::rtld_local));
+  run_static_constructors(file);
+  return kept(
+      dll::shared_library(std::filesystem::absolute(file), dll::load_mode::rtld_now | dll::load_mode::rtld_local));
 }
 
 template <class Description>
