@@ -7,6 +7,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cstring>
 
+#include "framework/loading/changed_record.h"
 #include "message_of.h"
 #include "temporary_folder.h"
 
@@ -18,22 +19,10 @@ namespace {
 
 std::string good_bytes() { return bytes_of(TEST_PLUGINS "/good_sampler.so"); }
 
-// The bytes of a good plugin with another record: change(record).
 template <class Change>
 std::string with_record(Change change) {
   std::string bytes = good_bytes();
-  char* place = nullptr;
-  moire::Record record;
-  // The record itself, not the magic words as text, is the one that is followed by this interface version.
-  const std::string_view magic(moire::record_magic, sizeof record.magic);
-  for (auto found = bytes.find(magic); found != bytes.npos; found = bytes.find(magic, found + 1)) {
-    std::memcpy(&record, bytes.data() + found, sizeof record);
-    if (record.interface_version == moire::interface_version) place = bytes.data() + found;
-  }
-  REQUIRE(place);
-  std::memcpy(&record, place, sizeof record);
-  change(record);
-  std::memcpy(place, &record, sizeof record);
+  moire::test::change_record(bytes, change);
   return bytes;
 }
 

@@ -1,0 +1,105 @@
+// Timing without a clock in the tests: what is counted, who is timed how often, and what the rows are.
+#include "run/speed.h"
+
+#include <atomic>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+#include "metrics/registry.h"
+#include "run/empty_sampler.h"
+
+namespace moire::test {
+
+namespace {
+
+class NoFrame final : public Frame {
+ public:
+  ImageSize size() const override { return {4, 2}; }
+  void trace(std::span<const SamplePoint>, std::span<Hit>, Counters&) const override {}
+};
+
+// Counts how often it is asked to begin, and claims 5 queries and 3 steps a block.
+class Counting final : public Sampler {
+ public:
+  explicit Counting(int& begun) : begun_(begun) {}
+  std::unique_ptr<Rendering> begin(const RenderRequest&) const override {
+    ++begun_;
+    return std::make_unique<Work>();
+  }
+
+ private:
+  class Work final : public Rendering {
+   public:
+    void render(PixelBlock& block) const override { block.counters += {.queries = 5, .steps = 3}; }
+  };
+  int& begun_;
+};
+
+Settings rounds(std::int64_t count, double at_most = 1e5) {
+  Settings settings(speed_description.parameters);
+  settings.set("rounds", count);
+  settings.set("at_most", at_most);
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("a quantile is interpolated between the sorted values") {
+  CHECK(quantile({3, 1, 2}, 0.5) == 2);
+  CHECK(quantile({4, 1, 3, 2}, 0.5) == 2.5);
+  CHECK(quantile({4, 1, 3, 2}, 0.25) == 1.75);
+  CHECK(quantile({5, 1}, 0) == 1);
+  CHECK(quantile({5, 1}, 1) == 5);
+  CHECK(quantile({7}, 0.25) == 7);
+}
+
+TEST_CASE("every contender has all rows of the pass, and work is counted a pixel") {
+  int begun = 0;
+  const NoFrame frame;
+  const Contender floor("nothing", make_empty_sampler()), counting("counting", std::make_unique<Counting>(begun));
+  const auto rows =
+      measure_speed("a scene", {{&floor, &frame}, {&counting, &frame}}, rounds(3), 1, Workers(1), [](double) {});
+  REQUIRE(rows.size() == 2 * speed_description.quantities.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Quantity& quantity = speed_description.quantities[k % speed_description.quantities.size()];
+    CHECK(rows[k].scene == "a scene");
+    CHECK(rows[k].sampler == (k < speed_description.quantities.size() ? "nothing" : "counting"));
+    CHECK(rows[k].metric == quantity.name);
+    CHECK(rows[k].unit == quantity.unit);
+    CHECK(std::isfinite(rows[k].value));
+  }
+  CHECK(rows[6].value == 5.0 / 8);  // speed.queries_per_pixel of the second
+  CHECK(rows[7].value == 3.0 / 8);  // speed.steps_per_pixel
+  CHECK((rows[4].low <= rows[4].value && rows[4].value <= rows[4].high));
+  CHECK(begun == 1 + 3 * 2);  // warm-up; each round on one thread and on all
+}
+
+TEST_CASE("what is too slow to repeat is timed once, without warm-up and without a spread") {
+  int begun = 0;
+  const NoFrame frame;
+  const Contender slow("slow", std::make_unique<Counting>(begun));
+  const auto rows = measure_speed("a scene", {{&slow, &frame, true}}, rounds(5), 1, Workers(1), [](double) {});
+  CHECK(begun == 2);  // on one thread, on all
+  CHECK(std::isnan(rows[0].low));
+  CHECK(std::isnan(rows[0].high));
+}
+
+TEST_CASE("no further round begins after the time is up, but the first is done in any case") {
+  int begun = 0;
+  const NoFrame frame;
+  const Contender counting("counting", std::make_unique<Counting>(begun));
+  measure_speed("a scene", {{&counting, &frame}}, rounds(1000, 0), 1, Workers(1), [](double) {});
+  CHECK(begun == 1 + 2);
+}
+
+TEST_CASE("progress is told the share of rounds done") {
+  std::vector<double> shares;
+  const NoFrame frame;
+  const Contender floor("nothing", make_empty_sampler());
+  measure_speed("a scene", {{&floor, &frame}}, rounds(4), 1, Workers(1),
+                [&](double share) { shares.push_back(share); });
+  CHECK(shares == std::vector{0.25, 0.5, 0.75, 1.0});
+}
+
+}  // namespace moire::test
