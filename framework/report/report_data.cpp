@@ -9,9 +9,9 @@
 
 #include <moire/error.h>
 
-#include "run/detail_window.h"
 #include "report/json.h"
 #include "report/numbers.h"
+#include "run/detail_window.h"
 
 namespace moire::report {
 namespace {
