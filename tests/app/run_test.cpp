@@ -81,7 +81,7 @@ TEST_CASE("the number of threads changes nothing") {
   CHECK(desk.bytes("two/results.csv") == desk.bytes("one/results.csv"));
 }
 
-TEST_CASE("--set changes values, and the result says so") {
+TEST_CASE("a --set changes values, and the result says so") {
   const TinyDesk desk;
   const Ended ended =
       desk.moire({"run", "tiny", "-o", "out", "--set", "image.width=8", "--set", "samplers[1].n=[2, 3]"});
@@ -93,7 +93,7 @@ TEST_CASE("--set changes values, and the result says so") {
                                                                  "image.width=8", "--set", "samplers[1].n=[2, 3]"});
 }
 
-TEST_CASE("--only runs a part") {
+TEST_CASE("an --only runs a part") {
   const TinyDesk desk;
   CHECK(desk.moire({"run", "tiny", "-o", "out", "--only", "hills/supersample"}).code == 0);
   CHECK(samplers_in(report::read_json(desk.path() / "out")) == Names{"hills/supersample[n=2]"});
