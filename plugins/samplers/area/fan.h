@@ -17,7 +17,7 @@ struct Share {
   double width;  // mean extent of wedge and pixel across the line, in pixels along the across axis
 };
 
-// The stretches of a wedge's middle line: within each, the wedge overlaps the same pixels.
+// The stretches of a wedge's middle line: within each, the wedge overlaps the same pixels and is about equally wide.
 struct Stretches {
   moire::Point from, to;           // the middle line, in order of rising elevation
   std::vector<double> cuts;        // distances from `from` in pixels, one more than stretches
@@ -46,6 +46,8 @@ class Fan {
   bool transposed_;
   double pole_across_, pole_along_, pole_w_;
   int across_size_, along_size_;
+  int lines_;
+  double apex_;                  // along coordinate of the pole; infinite where the wedges are parallel
   double low_ = 0, high_ = 0;    // the fan's part of the along axis
   double reference_ = 0;         // along coordinate where wedges are 1 / lines wide
   double start_ = 0, step_ = 0;  // wedge i lies between start + i step and start + (i + 1) step there
