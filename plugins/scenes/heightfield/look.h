@@ -108,6 +108,9 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
   }
 }
 
+// Shorter stretches of an image line, in pixels, are not looked at on their own.
+constexpr double least_stretch = 1e-9;
+
 template <bool grid, class Add, class Finish>
 void Look::stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
                      Add add, Finish finish) const {
@@ -116,7 +119,8 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   const Direction start = camera_.direction(from.x, from.y);
   const Direction step = ux * camera_.right() + uy * camera_.down();  // a pixel along the line
 
-  // A line through the nadir point lies in one vertical plane, best known at its end far from there.
+  // A line through the nadir point lies in one vertical plane, best known at its end far from there. Beyond the point
+  // it is seen the other way.
   const moire::Pole nadir = camera_.nadir();
   const double off = (nadir.x - from.x * nadir.w) * uy - (nadir.y - from.y * nadir.w) * ux;
   const bool radial = std::abs(off) <= 1e-9 * (std::abs(nadir.x) + std::abs(nadir.y) + size_.width * std::abs(nadir.w));
@@ -125,14 +129,17 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     throw moire::Error("heightfield: an image line is neither upright nor through the nadir point");
   }
   const Direction end = start + length * step;
-  const Plane radial_plane = plane_of(std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end);
+  const Direction far_end = std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end;
+  const Plane near_side = plane_of(far_end), other_side = plane_of(-1 * far_end);  // of the nadir or zenith point
+  // Where elevation turns: at that point, and on other upright lines at its height.
+  const double turning = radial ? -near_side.along(start) / near_side.along(step) : (nadir.y / nadir.w - from.y) / uy;
 
   Walk<grid> walk(view_);
   bool walking = false;
   double reached = 0;  // where the last stretch ended
   const auto look_along = [&](std::size_t slot, double t0, double t1) __attribute__((always_inline)) {
     const Direction direction = start + (t0 + t1) / 2 * step;
-    const Plane plane = radial ? radial_plane : plane_of(direction);
+    const Plane plane = !radial ? plane_of(direction) : near_side.along(direction) < 0 ? other_side : near_side;
     const double p0 = plane.along(start), p1 = plane.along(step);
     const auto slope_at = [&](double t) { return (start.z + t * step.z) / std::max(p0 + t * p1, least_advance); };
     double s0 = slope_at(t0), s1 = slope_at(t1);
@@ -193,9 +200,9 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double t0 = cuts[i], t1 = cuts[i + 1];
     if (!(t0 < t1)) continue;
-    // The height of the nadir or zenith point, where elevation turns, parts the stretch of an upright line.
-    const bool turns = upright && camera_.rises_upward(from.y + t0 * uy) != camera_.rises_upward(from.y + t1 * uy);
-    const double split = turns ? std::clamp((nadir.y / nadir.w - from.y) / uy, t0, t1) : t1;
+    // Rounding errors put the turning point of a line that begins there a little into it.
+    const bool turns = turning > t0 + least_stretch && turning < t1 - least_stretch;
+    const double split = turns ? turning : t1;
     for (const auto& [begin, until] : {std::pair{t0, split}, std::pair{split, t1}}) {
       if (begin < until) look_along(i, begin, until);
     }
