@@ -57,7 +57,8 @@ struct Voxel {
 template <bool grid>
 class Walk {
  public:
-  explicit Walk(const View& view) : view_(view) {}
+  explicit Walk(const View& view)
+      : view_(view), sure_distance_(view.far / std::hypot(view.spacing_x, view.spacing_y)) {}
 
   // Stands at or before the first voxel that can be met by rays of `slope` or steeper upward.
   void start(const Plane& plane, double slope);
@@ -95,13 +96,19 @@ class Walk {
  private:
   static constexpr std::int64_t nothing = std::numeric_limits<std::int64_t>::min();
   static constexpr std::int64_t endless = std::int64_t{1} << 52;
+  static constexpr double endless_distance = std::numeric_limits<double>::infinity();
 
   std::int64_t place(std::int64_t walk_place, bool flip, std::int64_t shift) const {
     const std::int64_t unreduced = walk_place + (shift >> level_);
     return flip ? -1 - unreduced : unreduced;
   }
   void set_axes(const Plane& plane);
-  // First step of the walk, in voxels of level 0, that belongs to `level`.
+  // World units over the ground for an advance of one voxel in p.
+  double unit() const;
+  // Finds how far to walk from here in one go: as far as all planes see, and beyond that to the far limit of this one.
+  void find_end(double unit);
+  bool ends_at_far_limit() const { return stop_ < endless_distance && end_ < end_of_level_; }
+  // First step of the walk, in voxels of level 0, that belongs to `level`. Whole voxels only, but for the eye's own.
   std::int64_t begin_of_level(int level, double unit) const;
   // Finds level and end of the part of the walk that holds step `p0` of level 0, and stands at it. False: beyond `far`.
   bool enter(std::int64_t p0);
@@ -109,12 +116,13 @@ class Walk {
   bool enter_counted(std::int64_t p0);
 
   const View& view_;
+  double sure_distance_;  // no nearer lies the far limit in any plane, in p
   Plane plane_{};
   double eye_p_ = 0, eye_q_ = 0;            // reduced to one mirror period
   std::int64_t shift_p_ = 0, shift_q_ = 0;  // what was taken away, in voxels of level 0
   int level_ = 0;
-  std::int64_t p_ = 0, end_ = 0;  // in voxels of level_
-  double stop_ = 0;               // x of the far limit
+  std::int64_t p_ = 0, end_ = 0, end_of_level_ = 0;  // in voxels of level_
+  double stop_ = 0;                                  // x of the far limit
   std::int64_t place_of_level_ = 0, counted_ = nothing;
   // Of level_.
   double width_ = 1, inverse_width_ = 1;
@@ -162,7 +170,15 @@ void Walk<grid>::start(const Plane& plane, double slope) {
 
 template <bool grid>
 void Walk<grid>::turn(const Plane& plane, int back) {
-  plane_.m = plane.m;
+  if (plane.m != plane_.m) {
+    plane_.m = plane.m;
+    if (stop_ < endless_distance) {
+      const bool stopped = p_ >= end_;
+      const double last_stop = stop_;
+      find_end(unit());
+      if (stopped && stop_ > last_stop) --p_;  // only a part of that voxel was within the far limit
+    }
+  }
   if (back > 0) {
     const auto first = static_cast<std::int64_t>(eye_p_);
     enter_counted(std::max(first, (p_ - back) << level_));
@@ -170,31 +186,49 @@ void Walk<grid>::turn(const Plane& plane, int back) {
 }
 
 template <bool grid>
+double Walk<grid>::unit() const {
+  const double spacing_p = plane_.swapped ? view_.spacing_y : view_.spacing_x;
+  const double spacing_q = plane_.swapped ? view_.spacing_x : view_.spacing_y;
+  return std::sqrt(spacing_p * spacing_p + plane_.m * plane_.m * spacing_q * spacing_q);
+}
+
+template <bool grid>
+void Walk<grid>::find_end(double unit) {
+  const auto sure_end = static_cast<std::int64_t>(std::floor((eye_p_ + sure_distance_) * inverse_width_));
+  if (p_ < sure_end) {
+    stop_ = endless_distance;
+    end_ = std::min(end_of_level_, sure_end);
+  } else {
+    stop_ = view_.far / unit;
+    end_ = std::min(end_of_level_, static_cast<std::int64_t>(std::ceil((eye_p_ + stop_) * inverse_width_)));
+  }
+}
+
+template <bool grid>
 std::int64_t Walk<grid>::begin_of_level(int level, double unit) const {
   const double x = view_.level_starts[static_cast<std::size_t>(level)] / unit;
-  return static_cast<std::int64_t>(std::ceil(std::ldexp(eye_p_ + x, -level))) << level;
+  const double begin = std::ldexp(eye_p_ + x, -level);
+  return static_cast<std::int64_t>(x > 0 ? std::ceil(begin) : std::floor(begin)) << level;
 }
 
 template <bool grid>
 bool Walk<grid>::enter(std::int64_t p0) {
-  const double spacing_p = plane_.swapped ? view_.spacing_y : view_.spacing_x;
-  const double spacing_q = plane_.swapped ? view_.spacing_x : view_.spacing_y;
-  const double unit = std::sqrt(spacing_p * spacing_p + plane_.m * plane_.m * spacing_q * spacing_q);
+  const double unit_here = unit();
   const int levels = static_cast<int>(view_.level_starts.size());
-  stop_ = view_.far / unit;
   level_ = 0;
   std::int64_t end = endless;
   while (level_ + 1 < levels) {
-    end = begin_of_level(level_ + 1, unit);
+    end = begin_of_level(level_ + 1, unit_here);
     if (end > p0) break;
     end = endless;
     ++level_;
   }
   p_ = p0 >> level_;
-  end_ = std::min(end >> level_, static_cast<std::int64_t>(std::ceil(std::ldexp(eye_p_ + stop_, -level_))));
-
   width_ = std::ldexp(1.0, level_);
   inverse_width_ = std::ldexp(1.0, -level_);
+  end_of_level_ = end >> level_;
+  find_end(unit_here);
+
   const Voxels::Level& level = view_.voxels->level(level_);
   cells_ = level.cells.data();
   const auto axis = [](const std::vector<std::int32_t>& places, int period) {
@@ -222,7 +256,7 @@ template <bool grid>
 template <bool descends, class Visit>
 [[gnu::always_inline]] inline void Walk<grid>::climb(double slope, Visit&& visit) {
   const double z = view_.z, eye_p = eye_p_;
-  while (p_ < end_ || enter_counted(end_ << level_)) {
+  while (p_ < end_ || (!ends_at_far_limit() && enter_counted(end_ << level_))) {
     // Across, in voxels of the level: scaling by a power of two changes no bits.
     const double width = width_, stop = stop_, eye_q = eye_q_ * inverse_width_, m = plane_.m * inverse_width_;
     double x0 = std::max(static_cast<double>(p_) * width - eye_p, 0.0);
