@@ -37,6 +37,7 @@ Names samplers_in(const Results& results) {
 TEST_CASE("a run writes exactly the files of a result folder") {
   const TinyDesk desk;
   const Ended ended = desk.moire({"run", "tiny"});
+  INFO(ended.err);
   CHECK(ended.code == 0);
   Names expected{"experiment.json",
                  "manifest.json",

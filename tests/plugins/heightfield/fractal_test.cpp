@@ -1,12 +1,12 @@
 // The built-in landscape: the same bits everywhere, within its bounds, and hard to sample well.
-#include "fractal.h"
+#include "fractal/fractal.h"
 
 #include <algorithm>
 #include <bit>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
-#include "ground.h"
+#include "fractal/ground.h"
 
 namespace heightfield {
 namespace {

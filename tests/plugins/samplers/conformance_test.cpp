@@ -1,0 +1,138 @@
+// What every sampler must keep on every scene that it runs on, new plugins included: nothing but settings, seed, frame
+// and pixel decides a result. Never threads, never the width of blocks, never whether fragments are recorded.
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <sstream>
+
+#include "sampling/lookups.h"
+#include "sampling/pattern_sampler.h"
+#include "support/plugins.h"
+
+namespace moire::test {
+namespace {
+
+constexpr ImageSize size{45, 38};  // no multiple of a block's width
+
+// The table's defaults, and those with each other choice of each parameter that is one.
+std::vector<Settings> variants(std::span<const Parameter> table) {
+  std::vector<Settings> result{Settings(table)};
+  for (const Parameter& parameter : table) {
+    if (parameter.type != Type::choice) continue;
+    std::istringstream choices{std::string(parameter.choices)};
+    for (std::string choice; choices >> choice;) {
+      if (choice == parameter.text) continue;
+      result.push_back(result.front());
+      result.back().set(parameter.name, choice);
+    }
+  }
+  return result;
+}
+
+bool has(Questions answered, Questions asked) { return (answered & asked) == asked; }
+
+// A scene of its plugin's defaults, made once for all tests.
+struct MadeScene {
+  const Plugin* plugin;
+  Settings settings;
+  std::unique_ptr<Scene> scene;
+};
+
+const std::vector<MadeScene>& scenes() {
+  static const std::vector<MadeScene> all = [] {
+    std::vector<MadeScene> made;
+    for (const Plugin* plugin : catalog().all(Kind::scene)) {
+      const Settings settings(plugin->parameters());
+      made.push_back({plugin, settings, plugin->scene->make(settings)});
+    }
+    return made;
+  }();
+  return all;
+}
+
+// Calls check(sampler, plugin, frame, lookup) for every sampler in each of its variants on each scene that it runs on,
+// with every lookup that the scene allows.
+template <class Check>
+void for_each_pair(Check check) {
+  for (const MadeScene& made : scenes()) {
+    const Questions answered = made.plugin->scene->answers(made.settings);
+    const auto frame = made.scene->frame(made.settings, size);
+    for (const Plugin* plugin : catalog().all(Kind::sampler)) {
+      for (const Settings& settings : variants(plugin->parameters())) {
+        if (!has(answered, plugin->sampler->asks(settings))) continue;
+        const auto sampler = make_sampler(*plugin->sampler, settings);
+        for (const NamedSummary& lookup : lookups()) {
+          const auto made_lookup = make_lookup(lookup.name);
+          if (made_lookup && !has(answered, Questions::surface)) continue;
+          CAPTURE(made.plugin->name, plugin->name, lookup.name, settings.values());
+          check(*sampler, *plugin, *frame, made_lookup.get());
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every sampler gives the same bits on one thread and on two, in blocks of any width, recording or not") {
+  for_each_pair([](const Sampler& sampler, const Plugin&, const Frame& frame, const Lookup* lookup) {
+    const Rendered image = rendered(sampler, frame, lookup);
+    CHECK(first_difference(image, rendered(sampler, frame, lookup)) == "");
+    for (const int threads : {1, 2}) {
+      for (const int block_width : {1, 7, 32, size.width}) {
+        for (const bool recording : {true, false}) {
+          CAPTURE(threads, block_width, recording);
+          const Manner manner{threads, block_width, recording};
+          CHECK(first_difference(image, rendered(sampler, frame, lookup, manner)) == "");
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE("what is counted does not depend on threads or on recording") {
+  for_each_pair([](const Sampler& sampler, const Plugin&, const Frame& frame, const Lookup* lookup) {
+    const Counters counters = rendered(sampler, frame, lookup).counters;
+    CHECK(counters.queries > 0);
+    CHECK(counters == rendered(sampler, frame, lookup, {.threads = 2}).counters);
+    CHECK(counters == rendered(sampler, frame, lookup, {.recording = false}).counters);
+  });
+}
+
+TEST_CASE("every sampler fills every pixel with weights and colours that are finite and not negative") {
+  for_each_pair([](const Sampler& sampler, const Plugin&, const Frame& frame, const Lookup* lookup) {
+    const Rendered image = rendered(sampler, frame, lookup);
+    const auto is_sound = [](const Content& pixel) {
+      return std::abs(pixel.weight - 1) <= 1e-9 && !pixel.fragments.empty() &&
+             std::all_of(pixel.fragments.begin(), pixel.fragments.end(), [](const Fragment& f) {
+               return f.weight > 0 && f.weight <= 1 + 1e-9 && std::isfinite(f.color.r) && std::isfinite(f.color.g) &&
+                      std::isfinite(f.color.b);
+             });
+    };
+    CHECK(std::all_of(image.pixels.begin(), image.pixels.end(), is_sound));
+  });
+}
+
+TEST_CASE("samplers that claim to draw no random numbers give the same bits for every seed") {
+  for_each_pair([](const Sampler& sampler, const Plugin& plugin, const Frame& frame, const Lookup* lookup) {
+    if (!plugin.sampler->claims.deterministic) return;
+    CHECK(first_difference(rendered(sampler, frame, lookup), rendered(sampler, frame, lookup, {}, 12345)) == "");
+  });
+}
+
+TEST_CASE("every scene runs under at least one sampler, and every sampler on at least one scene") {
+  std::vector<const Plugin*> samplers;
+  std::vector<const Frame*> frames;
+  for_each_pair([&](const Sampler&, const Plugin& plugin, const Frame& frame, const Lookup*) {
+    samplers.push_back(&plugin);
+    frames.push_back(&frame);
+  });
+  for (const Plugin* plugin : catalog().all(Kind::sampler)) {
+    CAPTURE(plugin->name);
+    CHECK(std::count(samplers.begin(), samplers.end(), plugin) > 0);
+  }
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  CHECK(frames.size() == scenes().size());
+}
+
+}  // namespace moire::test
