@@ -1,68 +1,16 @@
-// What image lines report, held to single rays: each run must begin and end where a brute force says, to 1e-6 of a
-// pixel, and the runs of a stretch must fill it. Shares no code with the scene.
-#include <algorithm>
+// What image lines through the nadir point report, held to single rays: each run must begin and end where a brute force
+// says, to 1e-6 of a pixel, and the runs of a stretch must fill it. Shares no code with the scene.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "message_of.h"
-#include "plugins/heightfield/brute_force.h"
+#include "plugins/heightfield/runs.h"
 #include "plugins/heightfield/views.h"
 
 namespace moire::test {
 namespace {
-
-constexpr double nearby = 1e-6;  // pixels
-
-// The runs of one stretch, from its begin to its end in the order in which they lie there.
-struct Run {
-  Element element;
-  double begin, end;  // pixels from the line's begin
-};
-
-std::vector<Run> runs_of(const Tally& pieces, std::size_t slot, double begin, double end, bool rises) {
-  std::vector<Run> runs;
-  double at = rises ? begin : end;
-  pieces.for_each(slot, [&](const Fragment& f) {
-    const double next = rises ? at + f.weight : at - f.weight;
-    runs.push_back({f.element, std::min(at, next), std::max(at, next)});
-    at = next;
-  });
-  return runs;
-}
-
-// Where along the line a run's content can be asked for: just inside its ends, and in its middle.
-std::vector<double> probes(const Run& run) {
-  const double length = run.end - run.begin;
-  if (length < 4 * nearby) return {};
-  return {run.begin + nearby, (run.begin + run.end) / 2, run.end - nearby};
-}
-
-bool contains(const std::vector<Element>& elements, Element element) {
-  return std::find(elements.begin(), elements.end(), element) != elements.end();
-}
-
-struct Verdict {
-  std::string first_wrong;
-  int runs = 0;
-};
-
-// Judges runs by rays: ray_at(place) is the ray of a place on the line.
-template <class RayAt>
-void judge(const Map& map, const View& view, const std::vector<Run>& runs, RayAt ray_at, Verdict& verdict) {
-  for (const Run& run : runs) {
-    ++verdict.runs;
-    for (const double place : probes(run)) {
-      const std::vector<Element> seen = seen_by(map, view, ray_at(place));
-      if (contains(seen, run.element) || !verdict.first_wrong.empty()) continue;
-      verdict.first_wrong = fmt::format("element {:x} from {} to {}; a ray at {} sees {:x}", run.element, run.begin,
-                                        run.end, place, seen.front());
-    }
-  }
-}
 
 const Changes independent{{"coherence", std::string("none")}};
 
@@ -98,50 +46,13 @@ bool rises(const View& view, Line line) {
   return slope(line.from) < slope(line.to);
 }
 
-// Upright stretches are seen in the vertical plane through their middle: a ray keeps its height and its advance along
-// the axis along which the middle's ray advances more voxels, and is moved sideways into the plane.
-class MiddlePlane {
- public:
-  MiddlePlane(const View& view, double x, double low_y, double high_y)
-      : view_(view), x_(x), middle_(ray_through(view, x, (low_y + high_y) / 2)) {
-    steps_south_ = std::abs(middle_.y / view.spacing_y) > std::abs(middle_.x / view.spacing_x);
-  }
-
-  Ray ray(double y) const {
-    const Ray ray = ray_through(view_, x_, y);
-    if (steps_south_) return {ray.y * middle_.x / middle_.y, ray.y, ray.z};
-    return {ray.x, ray.x * middle_.y / middle_.x, ray.z};
-  }
-  // Rise over advance in the plane.
-  double slope(double y) const { return ray(y).z / advance(y); }
-  double advance(double y) const {
-    const Ray r = ray(y);
-    return (r.x * middle_.x + r.y * middle_.y) / std::hypot(middle_.x, middle_.y);
-  }
-  // The camera's way forward over the ground; 0 at the height of the nadir and the zenith.
-  double forward(double y) const {
-    const Ray r = ray_through(view_, x_, y);
-    const double yaw = view_.yaw * std::numbers::pi / 180;
-    return r.x * std::cos(yaw) + r.y * std::sin(yaw);
-  }
-
- private:
-  const View& view_;
-  double x_;
-  Ray middle_;
-  bool steps_south_;
-};
-
 }  // namespace
 
 TEST_CASE("the runs of a radial line begin and end where single rays change what they see") {
   const Map map = usual_map();
   const SmallTerrain terrain(map);
-  std::vector<View> views = views_all_round();
-  const std::vector<View> awkward = awkward_views(map);
-  views.insert(views.end(), awkward.begin(), awkward.end());
   int runs = 0;
-  for (const View& view : views) {
+  for (const View& view : all_views(map)) {
     const auto frame = terrain.frame(view, independent);
     for (int k = 0; k < 12; ++k) {
       CAPTURE(view.caption, view.yaw, view.pitch, k);
@@ -198,46 +109,6 @@ TEST_CASE("a line through the nadir is seen the other way beyond it") {
     }
   }
   CHECK(runs > 600);
-}
-
-TEST_CASE("the runs of an upright column's pixels are what single rays in the plane of each pixel's middle see") {
-  const Map map = usual_map();
-  const SmallTerrain terrain(map);
-  std::vector<View> views = views_all_round();
-  const std::vector<View> awkward = awkward_views(map);
-  views.insert(views.end(), awkward.begin(), awkward.end());
-  int runs = 0, two_ways = 0, stretches = 0;
-  for (const View& view : views) {
-    const auto frame = terrain.frame(view, independent);
-    const int height = view.size.height;
-    std::vector<double> cuts;
-    for (int i = 0; i <= height; ++i) cuts.push_back(i);
-    for (const double x : {0.4, 7.3, view.size.width / 2.0, view.size.width - 0.27}) {
-      Tally pieces(static_cast<std::size_t>(height), true);
-      frame->lines()->along({x, static_cast<double>(height)}, {x, 0}, cuts, nullptr, pieces);
-      for (int i = 0; i < height; ++i) {
-        CAPTURE(view.caption, view.yaw, view.pitch, x, i);
-        const auto slot = static_cast<std::size_t>(i);
-        CHECK(std::abs(pieces.weight(slot) - 1) <= 1e-12);
-        const MiddlePlane plane(view, x, height - i, height - i - 1);
-        ++stretches;
-        // Where a pixel looks both ways, it is seen as two stretches.
-        if (plane.forward(height - i) * plane.forward(height - i - 1) <= 1e-12) {
-          ++two_ways;
-          continue;
-        }
-        const bool upward = plane.slope(height - i) < plane.slope(height - i - 1);
-        Verdict verdict;
-        judge(
-            map, view, runs_of(pieces, slot, i, i + 1, upward), [&](double place) { return plane.ray(height - place); },
-            verdict);
-        CHECK(verdict.first_wrong == "");
-        runs += verdict.runs;
-      }
-    }
-  }
-  CHECK(runs > 10'000);
-  CHECK(two_ways < stretches / 50);
 }
 
 TEST_CASE("a line that is neither upright nor radial is refused") {

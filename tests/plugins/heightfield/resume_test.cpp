@@ -12,13 +12,6 @@ Changes manner(const char* coherence, const char* walk, bool hierarchy) {
   return {{"coherence", std::string(coherence)}, {"walk", std::string(walk)}, {"hierarchy", hierarchy}};
 }
 
-std::vector<View> all_views(const Map& map) {
-  std::vector<View> views = views_all_round();
-  const std::vector<View> awkward = awkward_views(map);
-  views.insert(views.end(), awkward.begin(), awkward.end());
-  return views;
-}
-
 int different_pixels(const Rendered& one, const Rendered& other) {
   int count = 0;
   for (std::size_t k = 0; k < one.pixels.size(); ++k) {

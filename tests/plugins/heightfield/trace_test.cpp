@@ -158,14 +158,12 @@ TEST_CASE("the unit of length does not matter: all lengths times a power of two 
   const auto point = sampler("point"), area = sampler("area", {{"layout", std::string("radial")}});
   for (const float factor : {0x1p-29F, 0x1p20F, 0x1p29F}) {
     const SmallTerrain scaled(raised(usual_map(), factor), factor, factor);
-    for (const std::vector<View>& views : {views_all_round(), awkward_views(usual_map())}) {
-      for (const View& view : views) {
-        if (std::abs(view.x * factor) > 1e9 || std::abs(view.y * factor) > 1e9) continue;
-        CAPTURE(view.caption, factor);
-        const auto frame = terrain.frame(view), other = scaled.frame(stretched({view}, factor, factor, factor).front());
-        CHECK(first_difference(rendered(*point, *frame), rendered(*point, *other)) == "");
-        CHECK(first_difference(rendered(*area, *frame), rendered(*area, *other)) == "");
-      }
+    for (const View& view : all_views(usual_map())) {
+      if (std::abs(view.x * factor) > 1e9 || std::abs(view.y * factor) > 1e9) continue;
+      CAPTURE(view.caption, factor);
+      const auto frame = terrain.frame(view), other = scaled.frame(stretched({view}, factor, factor, factor).front());
+      CHECK(first_difference(rendered(*point, *frame), rendered(*point, *other)) == "");
+      CHECK(first_difference(rendered(*area, *frame), rendered(*area, *other)) == "");
     }
   }
 }

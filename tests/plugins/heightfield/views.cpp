@@ -89,4 +89,11 @@ std::vector<View> awkward_views(const Map& map) {
   return views;
 }
 
+std::vector<View> all_views(const Map& map) {
+  std::vector<View> views = views_all_round();
+  const std::vector<View> awkward = awkward_views(map);
+  views.insert(views.end(), awkward.begin(), awkward.end());
+  return views;
+}
+
 }  // namespace moire::test

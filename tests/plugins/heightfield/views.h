@@ -19,4 +19,7 @@ std::vector<View> views_all_round();
 // long.
 std::vector<View> awkward_views(const Map& map);
 
+// All of these.
+std::vector<View> all_views(const Map& map);
+
 }  // namespace moire::test
