@@ -27,7 +27,7 @@ int run(const Session& session, const RunOptions& options);
 
 int check(const Session& session, const std::filesystem::path& experiment, const Overrides& overrides);
 
-// `what`: samplers, scenes, metrics, lookups, or empty for all.
+// `what`: samplers, scenes, metrics, pictures, lookups, or empty for all.
 int list(const Session& session, const std::string& what, bool as_json);
 
 // Sampler, scene, metric or lookup.

@@ -32,16 +32,20 @@ std::vector<Described> everything(const Session& session) {
                      p->sampler ? p->sampler->claims : Claims{}});
     }
   }
-  for (const MetricDescription* m : session.vocabulary.metrics) {
-    all.push_back({"metric",
-                   std::string(m->name),
-                   "",
-                   std::string(m->summary),
-                   std::string(m->source),
-                   m->parameters,
-                   m->quantities,
-                   {}});
-  }
+  const auto add_passes = [&](const char* kind, std::span<const PassDescription* const> passes) {
+    for (const PassDescription* pass : passes) {
+      all.push_back({kind,
+                     std::string(pass->name),
+                     "",
+                     std::string(pass->summary),
+                     std::string(pass->source),
+                     pass->parameters,
+                     pass->quantities,
+                     {}});
+    }
+  };
+  add_passes("metric", session.vocabulary.metrics);
+  add_passes("picture", session.vocabulary.pictures);
   for (const NamedSummary& l : session.vocabulary.lookups) {
     all.push_back({"lookup", std::string(l.name), "", std::string(l.summary), "", {}, {}, {}});
   }
@@ -139,8 +143,8 @@ int describe(const Session& session, const std::string& name, bool as_json) {
     if (d.name == name) found.push_back(&d);
   }
   if (found.empty()) {
-    throw Error(fmt::format("{}: no sampler, scene, metric or lookup has this name{} `moire list` shows all", name,
-                            did_you_mean(name, names)));
+    throw Error(fmt::format("{}: no sampler, scene, metric, picture or lookup has this name{} `moire list` shows all",
+                            name, did_you_mean(name, names)));
   }
   for (const Described* d : found) {
     if (d != found.front() && !as_json) fmt::print("\n");

@@ -22,14 +22,19 @@ Entries plugins(const Session& session, Kind kind) {
   return entries;
 }
 
+Entries passes(std::span<const PassDescription* const> descriptions) {
+  Entries entries;
+  for (const PassDescription* pass : descriptions) entries.emplace_back(pass->name, pass->summary);
+  return entries;
+}
+
 std::vector<Section> sections(const Session& session) {
-  Entries metrics, lookups;
-  for (const MetricDescription* metric : session.vocabulary.metrics)
-    metrics.emplace_back(metric->name, metric->summary);
+  Entries lookups;
   for (const NamedSummary& lookup : session.vocabulary.lookups) lookups.emplace_back(lookup.name, lookup.summary);
   return {{"samplers", plugins(session, Kind::sampler)},
           {"scenes", plugins(session, Kind::scene)},
-          {"metrics", metrics},
+          {"metrics", passes(session.vocabulary.metrics)},
+          {"pictures", passes(session.vocabulary.pictures)},
           {"lookups", lookups}};
 }
 

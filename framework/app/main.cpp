@@ -61,11 +61,11 @@ void declare(CLI::App& cli, Options& o, std::function<int()>& chosen) {
 
   CLI::App* list = command("list", "What there is, and which sampler runs on which scene",
                            [&, session] { return app::list(session(), o.what, o.as_json); });
-  list->add_option("what", o.what, "samplers, scenes, metrics or lookups")
-      ->check(CLI::IsMember({"samplers", "scenes", "metrics", "lookups"}));
+  list->add_option("what", o.what, "samplers, scenes, metrics, pictures or lookups")
+      ->check(CLI::IsMember({"samplers", "scenes", "metrics", "pictures", "lookups"}));
   list->add_flag("--json", o.as_json, "As JSON");
 
-  CLI::App* describe = command("describe", "A sampler, scene, metric or lookup and its parameters",
+  CLI::App* describe = command("describe", "A sampler, scene, metric, picture or lookup and its parameters",
                                [&, session] { return app::describe(session(), o.name, o.as_json); });
   describe->add_option("name", o.name, "Its name")->required();
   describe->add_flag("--json", o.as_json, "As JSON");

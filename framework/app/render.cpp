@@ -77,7 +77,7 @@ int render(const Session& session, const RenderOptions& options) {
     const auto scene = choice.plugin->scene->make(choice.settings);
     const auto frame = scene->frame(choice.settings, experiment.image);
     const Picture picture =
-        render_picture(Contender(experiment.samplers.front()), *frame, experiment.seed, Workers(options.threads));
+        render_picture(Contender(experiment.samplers.front()), *frame, 0, experiment.seed, Workers(options.threads));
     write_image(options.output, picture.size.width, picture.size.height, picture.pixels);
     fmt::print("{}: {} on {}\n", options.output.string(), experiment.samplers.front().name, choice.name);
     return done;

@@ -9,10 +9,11 @@
 #include "config/choices.h"
 #include "config/experiment_format.h"
 #include "config/experiment_tree.h"
-#include "config/metric_choices.h"
+#include "config/frames_reader.h"
 #include "config/naming.h"
 #include "config/nearest_name.h"
 #include "config/only.h"
+#include "config/pass_choices.h"
 
 namespace moire {
 namespace {
@@ -40,9 +41,13 @@ class ExperimentReader {
     samplers_ = read_choices("samplers", Kind::sampler);
     read_reference();
     read_seed();
-    metrics_ = read_metrics(list("metrics"), root_.place, vocabulary_, reading_);
+    experiment_.frames = read_frames(root_.find("frames"), scenes_, reading_);
+    metrics_ = read_passes(list("metrics"), root_.place,
+                           {"metrics", "metric", vocabulary_.metrics, format::default_metric, true}, reading_);
+    pictures_ = read_passes(list("pictures"), root_.place, {"pictures", "picture", vocabulary_.pictures}, reading_);
     refuse_impossible_scenes();
     refuse_mismatches();
+    for (const auto* passes : {&metrics_, &pictures_}) refuse_passes(*passes);
   }
 
   void keep_only(const std::string& only) { moire::keep_only(only, scenes_, samplers_, problems_); }
@@ -51,7 +56,8 @@ class ExperimentReader {
     for (const Choice& scene : scenes_) experiment_.scenes.push_back(scene_of(scene));
     for (const Choice& sampler : samplers_) experiment_.samplers.push_back(sampler_of(sampler));
     if (!reference_.empty()) experiment_.reference = sampler_of(reference_.front());
-    for (const MetricEntry& metric : metrics_) experiment_.metrics.push_back(metric.choice);
+    for (const PassEntry& metric : metrics_) experiment_.metrics.push_back(metric.choice);
+    for (const PassEntry& picture : pictures_) experiment_.pictures.push_back(picture.choice);
     experiment_.request = request();
     return std::move(experiment_);
   }
@@ -155,10 +161,17 @@ class ExperimentReader {
         if (!problem.empty()) problems_.add(sampler.place, sampler.path, problem);
       }
     }
-    for (const MetricEntry& metric : metrics_) {
+  }
+
+  void refuse_passes(const std::vector<PassEntry>& passes) {
+    for (const PassEntry& pass : passes) {
+      const std::string problem =
+          pass.description->problem(pass.choice.settings, {experiment_.image, experiment_.frames.count});
+      const bool has_image = experiment_.image.width > 0;  // else that was said already
+      if (has_image && !problem.empty()) problems_.add(pass.place, pass.path, problem);
       for (const Choice& scene : scenes_) {
-        const std::string problem = mismatch(scene_of(scene), metric.choice, vocabulary_);
-        if (!problem.empty()) problems_.add(metric.place, metric.path, problem);
+        const std::string misfit = mismatch(scene_of(scene), *pass.description, pass.choice.settings, vocabulary_);
+        if (!misfit.empty()) problems_.add(pass.place, pass.path, misfit);
       }
     }
   }
@@ -171,11 +184,14 @@ class ExperimentReader {
         {"samplers", nlohmann::ordered_json::array()},
         {"reference", format::default_reference},
         {"seed", experiment_.seed},
-        {"metrics", nlohmann::ordered_json::array()}};
+        {"frames", written(experiment_.frames)},
+        {"metrics", nlohmann::ordered_json::array()},
+        {"pictures", nlohmann::ordered_json::array()}};
     for (const Choice& scene : scenes_) result["scenes"].push_back(written(scene));
     for (const Choice& sampler : samplers_) result["samplers"].push_back(written(sampler));
     if (!reference_.empty()) result["reference"] = written(reference_.front());
-    for (const MetricEntry& metric : metrics_) result["metrics"].push_back(metric.written);
+    for (const PassEntry& metric : metrics_) result["metrics"].push_back(metric.written);
+    for (const PassEntry& picture : pictures_) result["pictures"].push_back(picture.written);
     return result;
   }
 
@@ -187,7 +203,7 @@ class ExperimentReader {
   Reading reading_{files_, problems_};
   JsonNode no_items_;
   std::vector<Choice> scenes_, samplers_, reference_;  // of the last: none for the default, or one
-  std::vector<MetricEntry> metrics_;
+  std::vector<PassEntry> metrics_, pictures_;
   Experiment experiment_;
 };
 

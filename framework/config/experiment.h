@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/frames.h"
 #include "loading/catalog.h"
 #include "metrics/description.h"
 
@@ -29,7 +30,8 @@ struct SamplerChoice {
   std::string lookup;  // a name from Vocabulary::lookups
 };
 
-struct MetricChoice {
+// A metric or a picture.
+struct PassChoice {
   std::string name;  // "coverage"
   Settings settings;
 };
@@ -42,7 +44,8 @@ struct Experiment {
   std::vector<SamplerChoice> samplers;
   std::optional<SamplerChoice> reference;  // none: the best that each scene allows ("auto")
   std::uint64_t seed = 1;
-  std::vector<MetricChoice> metrics;
+  Frames frames;
+  std::vector<PassChoice> metrics, pictures;
   // With every default filled in and every grid spread out; reading it gives this experiment again.
   nlohmann::ordered_json request;
 };
@@ -55,9 +58,10 @@ struct NamedSummary {
 // What an experiment may speak of.
 struct Vocabulary {
   const Catalog* catalog = nullptr;
-  std::span<const MetricDescription* const> metrics;
+  std::span<const PassDescription* const> metrics;
   // The first, "nearest", asks scenes for nothing; all others for Questions::surface.
   std::span<const NamedSummary> lookups;
+  std::span<const PassDescription* const> pictures = {};
 };
 
 // Command-line changes to an experiment.
@@ -72,8 +76,9 @@ Experiment read_experiment(const std::filesystem::path& path, const Vocabulary& 
 
 // Why this sampler cannot run on this scene; empty where it can.
 std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary);
-// Why this scene cannot be judged by this metric; empty where it can.
-std::string mismatch(const SceneChoice& scene, const MetricChoice& metric, const Vocabulary& vocabulary);
+// Why this pass cannot be run over this scene; empty where it can.
+std::string mismatch(const SceneChoice& scene, const PassDescription& pass, const Settings& settings,
+                     const Vocabulary& vocabulary);
 
 // The experiment file format as JSON Schema (draft 7), for editors.
 nlohmann::ordered_json experiment_schema(const Vocabulary& vocabulary);

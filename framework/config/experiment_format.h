@@ -21,7 +21,14 @@ inline constexpr Parameter image[] = {
 inline constexpr Parameter seed =
     parameter::integer("seed", 1, 0, std::int64_t{1} << 53, "", "chooses the random numbers of the whole experiment");
 
-inline constexpr std::string_view keys[] = {"question", "image", "scenes", "samplers", "reference", "seed", "metrics"};
+inline constexpr Parameter frame_count =
+    parameter::integer("count", 1, 1, 1'000'000, "frames", "frames of the animation; 1: a still image");
+inline constexpr Parameter still_frame =
+    parameter::integer("still", 0, 0, 999'999, "", "the frame that images, error, coverage and speed are of, from 0");
+inline constexpr std::string_view animate_key = "animate";
+
+inline constexpr std::string_view keys[] = {"question", "image",  "scenes",  "samplers", "reference",
+                                            "seed",     "frames", "metrics", "pictures"};
 inline constexpr std::string_view default_reference = "auto";
 inline constexpr std::string_view default_metric = "error";
 

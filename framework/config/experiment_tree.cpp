@@ -35,7 +35,7 @@ void write_out_list(JsonNode& node) {
 }
 
 void write_out(JsonNode& root) {
-  for (std::string_view key : {"scenes", "samplers", "metrics"}) {
+  for (std::string_view key : {"scenes", "samplers", "metrics", "pictures"}) {
     if (JsonNode* node = root.find(key)) write_out_list(*node);
   }
   JsonNode* reference = root.find("reference");

@@ -1,4 +1,4 @@
-// Whether a sampler can run on a scene, and a metric judge it: if the scene answers all that they and the lookup ask.
+// Whether a sampler can run on a scene, and a pass over it: if the scene answers all that they and the lookup ask.
 #include <algorithm>
 #include <utility>
 
@@ -65,12 +65,11 @@ std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, con
                  scene, fitting_scenes(questions, vocabulary));
 }
 
-std::string mismatch(const SceneChoice& scene, const MetricChoice& metric, const Vocabulary& vocabulary) {
-  const auto description = std::find_if(vocabulary.metrics.begin(), vocabulary.metrics.end(),
-                                        [&](const MetricDescription* m) { return m->name == metric.name; });
-  const Questions questions = (*description)->asks(metric.settings), missing = missing_in(scene, questions);
+std::string mismatch(const SceneChoice& scene, const PassDescription& pass, const Settings& settings,
+                     const Vocabulary& vocabulary) {
+  const Questions questions = pass.asks(settings), missing = missing_in(scene, questions);
   if (missing == Questions::none) return "";
-  return refusal(metric.name, missing, "", scene, fitting_scenes(questions, vocabulary));
+  return refusal(pass.name, missing, "", scene, fitting_scenes(questions, vocabulary));
 }
 
 }  // namespace moire

@@ -88,9 +88,9 @@ Json plugin_schema(const Plugin& plugin, std::string_view lookups, bool takes_gr
   return schema;
 }
 
-Json metric_schema(const MetricDescription& metric) {
-  Json schema = typed_object(metric.name, metric.summary);
-  add_parameters(metric.parameters, false, schema);
+Json pass_schema(const PassDescription& pass) {
+  Json schema = typed_object(pass.name, pass.summary);
+  add_parameters(pass.parameters, false, schema);
   return schema;
 }
 
@@ -116,11 +116,11 @@ Json plugin_entry_schema(Kind kind, const Vocabulary& vocabulary, bool takes_gri
   return entry_schema(names, objects);
 }
 
-Json metric_entry_schema(const Vocabulary& vocabulary) {
+Json pass_entry_schema(std::span<const PassDescription* const> passes) {
   Json names = Json::array(), objects = Json::array();
-  for (const MetricDescription* metric : vocabulary.metrics) {
-    names.push_back(metric->name);
-    objects.push_back(metric_schema(*metric));
+  for (const PassDescription* pass : passes) {
+    names.push_back(pass->name);
+    objects.push_back(pass_schema(*pass));
   }
   return entry_schema(names, objects);
 }
@@ -129,7 +129,8 @@ Json definitions(const Vocabulary& vocabulary) {
   return {{"scene", plugin_entry_schema(Kind::scene, vocabulary, true)},
           {"sampler", plugin_entry_schema(Kind::sampler, vocabulary, true)},
           {"reference", plugin_entry_schema(Kind::sampler, vocabulary, false)},
-          {"metric", metric_entry_schema(vocabulary)}};
+          {"metric", pass_entry_schema(vocabulary.metrics)},
+          {"picture", pass_entry_schema(vocabulary.pictures)}};
 }
 
 Json reference_to(std::string_view definition) { return {{"$ref", "#/definitions/" + std::string(definition)}}; }
@@ -141,6 +142,22 @@ Json image_schema() {
     schema["required"].push_back(side.name);
   }
   return schema;
+}
+
+Json frames_schema() {
+  Json schema = object_schema();
+  for (const Parameter& p : {format::frame_count, format::still_frame})
+    schema["properties"][std::string(p.name)] = parameter_schema(p, false);
+  const Json key = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+  schema["properties"][std::string(format::animate_key)] = {
+      {"type", "object"},
+      {"description", "parameters of the scenes over time: keyframes [frame, value], straight in between"},
+      {"additionalProperties", {{"type", "array"}, {"items", key}, {"minItems", 1}}}};
+  return schema;
+}
+
+Json one_or_several(std::string_view definition) {
+  return {{"anyOf", {reference_to(definition), {{"type", "array"}, {"items", reference_to(definition)}}}}};
 }
 
 }  // namespace
@@ -155,7 +172,9 @@ Json experiment_schema(const Vocabulary& vocabulary) {
       {"samplers", one_or_list(reference_to("sampler"))},
       {"reference", {{"anyOf", {{{"const", format::default_reference}}, reference_to("reference")}}}},
       {"seed", parameter_schema(format::seed, false)},
-      {"metrics", {{"anyOf", {reference_to("metric"), {{"type", "array"}, {"items", reference_to("metric")}}}}}}};
+      {"frames", frames_schema()},
+      {"metrics", one_or_several("metric")},
+      {"pictures", one_or_several("picture")}};
   schema["properties"]["reference"]["default"] = format::default_reference;
   schema["properties"]["metrics"]["default"] = {format::default_metric};
   schema["required"] = {"question", "image", "scenes", "samplers"};

@@ -140,7 +140,7 @@ class Coverage final : public Metric {
 
 }  // namespace
 
-const MetricDescription coverage_description{
+const PassDescription coverage_description{
     .name = "coverage",
     .summary = "Which of the visible elements are sampled, and in what amounts.",
     .source = "Cohen-Or 1997, section 7: P, L, V, M and M/V; leak and weight error are ours",

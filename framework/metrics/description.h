@@ -1,7 +1,9 @@
-// What a metric pass says of itself: read by the experiment reader, by `moire list` and by every report.
+// What a pass over the images (a metric, a picture) says of itself: read by the experiment reader, by `moire list` and
+// by every report.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <moire/plugin.h>
@@ -18,14 +20,22 @@ struct Quantity {
   bool is_main = false;   // among the few numbers that a summary shows; where none is, the pass's first
 };
 
-struct MetricDescription {
+// What a pass is run over.
+struct Extent {
+  ImageSize image;
+  int frames;
+};
+
+struct PassDescription {
   std::string_view name;     // "error"
   std::string_view summary;  // one sentence
   std::string_view source;   // paper and section, or empty
   std::span<const Parameter> parameters;
-  std::span<const Quantity> quantities;
+  std::span<const Quantity> quantities = {};  // of a metric
   // What a scene must answer for this pass, beside what its samplers ask.
   Questions (*asks)(const Settings&) = [](const Settings&) { return Questions::none; };
+  // What the table cannot say, such as a window that leaves the image: a phrase, or nothing.
+  std::string (*problem)(const Settings&, const Extent&) = [](const Settings&, const Extent&) { return std::string(); };
 };
 
 }  // namespace moire

@@ -78,7 +78,7 @@ class ErrorMetric final : public Metric {
 
 }  // namespace
 
-const MetricDescription error_description{
+const PassDescription error_description{
     .name = "error",
     .summary = "How far the colours are from the reference image.",
     .source = "",

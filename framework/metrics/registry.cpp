@@ -7,16 +7,17 @@ namespace moire {
 
 std::span<const RegisteredMetric> registered_metrics() {
   static constexpr std::array entries{
-      RegisteredMetric{&error_description, make_error},
-      RegisteredMetric{&coverage_description, make_coverage},
-      RegisteredMetric{&speed_description, nullptr},
+      RegisteredMetric{.description = &error_description, .make = make_error},
+      RegisteredMetric{.description = &coverage_description, .make = make_coverage},
+      RegisteredMetric{.description = &flicker_description, .make_temporal = make_flicker},
+      RegisteredMetric{.description = &speed_description},
   };
   return entries;
 }
 
-std::span<const MetricDescription* const> metric_descriptions() {
+std::span<const PassDescription* const> metric_descriptions() {
   static const auto descriptions = [] {
-    std::vector<const MetricDescription*> result;
+    std::vector<const PassDescription*> result;
     for (const RegisteredMetric& entry : registered_metrics()) result.push_back(entry.description);
     return result;
   }();

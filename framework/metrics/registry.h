@@ -5,22 +5,27 @@
 #include <span>
 
 #include "metrics/metric.h"
+#include "metrics/temporal_metric.h"
 
 namespace moire {
 
 struct RegisteredMetric {
-  const MetricDescription* description;
-  // Null: the pass does not judge one contender after another; the runner measures all of a scene together (speed).
-  std::unique_ptr<Metric> (*make)(const Settings&);
+  const PassDescription* description;
+  // One of the two; neither: the runner measures all contenders of a scene together (speed).
+  std::unique_ptr<Metric> (*make)(const Settings&) = nullptr;
+  std::unique_ptr<TemporalMetric> (*make_temporal)(const Settings&, ImageSize) = nullptr;
+
+  bool is_timing() const { return !make && !make_temporal; }
 };
 
 std::span<const RegisteredMetric> registered_metrics();
-std::span<const MetricDescription* const> metric_descriptions();
+std::span<const PassDescription* const> metric_descriptions();
 // Requires: a name of one of them.
 const RegisteredMetric& registered_metric(std::string_view name);
 
-extern const MetricDescription error_description, coverage_description, speed_description;
+extern const PassDescription error_description, coverage_description, flicker_description, speed_description;
 std::unique_ptr<Metric> make_error(const Settings& settings);
 std::unique_ptr<Metric> make_coverage(const Settings& settings);
+std::unique_ptr<TemporalMetric> make_flicker(const Settings& settings, ImageSize image);
 
 }  // namespace moire

@@ -28,7 +28,7 @@ constexpr Quantity quantities[] = {
 
 }  // namespace
 
-const MetricDescription speed_description{
+const PassDescription speed_description{
     .name = "speed",
     .summary = "Render time of one frame, all contenders interleaved in one process.",
     .source = "",

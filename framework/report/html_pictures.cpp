@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "report/error_map.h"
@@ -50,6 +52,7 @@ Markup caption(const Panel& panel) {
         panel.is_below_reference ? tag("span", {{"class", "below"}}, panel.error) : Markup(panel.error);
     content += tag("span", {{"class", "value"}}, Markup(main_error + " ") + number);
   }
+  if (!panel.caption.empty()) content += tag("span", {{"class", "what"}}, panel.caption);
   return tag("figcaption", content);
 }
 
@@ -117,7 +120,11 @@ Markup color_scale(const ReportData& data, const PictureRow& row) {
 std::string title_of(const PictureRow& row) {
   if (row.kind == "error_absolute") return "Absolute error";
   if (row.kind == "error_signed") return "Signed error";
-  return row.kind;
+  // "enlarged_pixel_2": the second picture that the experiment asks for.
+  std::string title = row.kind;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
 }
 
 }  // namespace

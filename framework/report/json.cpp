@@ -71,6 +71,7 @@ void members(auto& file, Either<ImageResult> auto& image) {
   file.field("kind", image.kind);
   file.field("file", image.file);
   file.field("scale", image.scale);
+  file.field("caption", image.caption);
 }
 
 void members(auto& file, Either<Failure> auto& failure) {

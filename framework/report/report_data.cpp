@@ -118,6 +118,7 @@ std::vector<PictureRow> other_rows(const ReportData& data, const SceneView& view
                             [&](const PictureRow& r) { return r.kind == image.kind && r.scale == image.scale; });
     if (row == rows.end()) row = rows.insert(row, {image.kind, image.scale, {}});
     row->panels.push_back(panel_of(data, view, image.sampler));
+    row->panels.back().caption = image.caption;
     album.put(row->panels.back(), image.file);
   }
   return rows;

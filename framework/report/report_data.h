@@ -20,6 +20,7 @@ struct Panel {
   std::size_t picture = no_picture;  // index into ReportData::pictures
   std::string problem;               // why there is no picture
   std::string error;                 // "12.4 levels", or empty
+  std::string caption;               // of pictures of how a method samples: what is shown
   bool is_below_reference = false;
 };
 

@@ -58,6 +58,15 @@ std::filesystem::path ResultFolder::map(const std::string& scene, const std::str
   return file;
 }
 
+std::filesystem::path ResultFolder::drawing(const std::string& scene, const std::string& sampler,
+                                            const std::string& kind, const Picture& picture) {
+  const std::filesystem::path place = std::filesystem::path("images") / scene / sampler;
+  make_folder(folder_ / place);
+  const std::filesystem::path file = place / (kind + ".png");
+  write_image(folder_ / file, picture.size.width, picture.size.height, picture.pixels);
+  return file;
+}
+
 void ResultFolder::save(const Results& results) {
   write_csv(folder_, results);
   write_json(folder_, results);

@@ -17,6 +17,8 @@ class ResultFolder final : public Sink {
   std::filesystem::path picture(const std::string& scene, const std::string& sampler, const Picture& picture) override;
   std::filesystem::path map(const std::string& scene, const std::string& sampler, ImageSize size,
                             const Map& map) override;
+  std::filesystem::path drawing(const std::string& scene, const std::string& sampler, const std::string& kind,
+                                const Picture& picture) override;
   void save(const Results& results) override;
 
   // The experiment with every default filled in.

@@ -19,11 +19,12 @@ void put(const PixelBlock& block, Picture& picture) {
   }
 }
 
-Picture render_picture(const Contender& contender, const Frame& frame, std::uint64_t seed, const Workers& workers) {
+Picture render_picture(const Contender& contender, const Frame& frame, int frame_number, std::uint64_t seed,
+                       const Workers& workers) {
   const ImageSize size = frame.size();
   Picture picture{size,
                   std::vector<Color>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height))};
-  const auto rendering = contender.begin(frame, seed);
+  const auto rendering = contender.begin(frame, seed, frame_number);
   workers.render(*rendering, size, false, [&](std::size_t, const PixelBlock& block) { put(block, picture); });
   return picture;
 }

@@ -19,8 +19,8 @@ class Contender {
       : name_(std::move(name)), sampler_(std::move(sampler)) {}
 
   const std::string& name() const { return name_; }
-  std::unique_ptr<Rendering> begin(const Frame& frame, std::uint64_t seed) const {
-    return sampler_->begin({.frame = frame, .lookup = lookup_.get(), .seed = seed});
+  std::unique_ptr<Rendering> begin(const Frame& frame, std::uint64_t seed, int frame_number = 0) const {
+    return sampler_->begin({.frame = frame, .lookup = lookup_.get(), .seed = seed, .frame_number = frame_number});
   }
 
  private:
@@ -32,6 +32,7 @@ class Contender {
 // Copies a block's colours into their place.
 void put(const PixelBlock& block, Picture& picture);
 
-Picture render_picture(const Contender& contender, const Frame& frame, std::uint64_t seed, const Workers& workers);
+Picture render_picture(const Contender& contender, const Frame& frame, int frame_number, std::uint64_t seed,
+                       const Workers& workers);
 
 }  // namespace moire

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "config/frames_reader.h"
 #include "metrics/registry.h"
 #include "run/hash.h"
 
@@ -32,11 +33,14 @@ nlohmann::ordered_json content_of(const SceneChoice& scene, ContentHashes& hashe
   return json;
 }
 
-// The passes that judge one contender after another; timing is no part of a job.
-nlohmann::ordered_json metrics_of(const Experiment& experiment) {
+// Metrics and pictures; timing is no part of a job.
+nlohmann::ordered_json passes_of(const Experiment& experiment) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const MetricChoice& metric : experiment.metrics) {
-    if (registered_metric(metric.name).make) json.push_back({metric.name, json_of(metric.settings)});
+  for (const auto* passes : {&experiment.metrics, &experiment.pictures}) {
+    for (const PassChoice& pass : *passes) {
+      const bool is_timing = passes == &experiment.metrics && registered_metric(pass.name).is_timing();
+      if (!is_timing) json.push_back({pass.name, json_of(pass.settings)});
+    }
   }
   return json;
 }
@@ -85,7 +89,8 @@ std::string job_key(const Experiment& experiment, const SceneChoice& scene, cons
       {"scene", {scene.plugin->name, hashes.of(scene.plugin->file), content_of(scene, hashes)}},
       {"sampler", content(sampler)},
       {"reference", content(reference)},
-      {"metrics", metrics_of(experiment)},
+      {"frames", written(experiment.frames)},
+      {"passes", passes_of(experiment)},
       {"seed", experiment.seed},
   };
   return hash_of(all.dump());

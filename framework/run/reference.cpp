@@ -73,14 +73,14 @@ Settings exact_settings(const ScenePlugin& scene, Settings settings) {
 }
 
 Reference make_reference(const ReferenceChoice& choice, const std::string& scene_note, const Frame& frame,
-                         std::uint64_t seed, const Workers& workers) {
+                         int frame_number, std::uint64_t seed, const Workers& workers) {
   Reference reference;
   reference.recipe = choice.sampler.name + (scene_note.empty() ? "" : "; " + scene_note);
-  reference.picture = render_picture(Contender(choice.sampler), frame, seed, workers);
+  reference.picture = render_picture(Contender(choice.sampler), frame, frame_number, seed, workers);
   if (choice.is_exact) {
     reference.how = "exact: no sampling error";
   } else if (choice.half) {
-    const Picture weaker = render_picture(Contender(*choice.half), frame, seed, workers);
+    const Picture weaker = render_picture(Contender(*choice.half), frame, frame_number, seed, workers);
     reference.error = root_mean_square(differences(weaker, reference.picture, Space::linear));
     reference.how = fmt::format("rmse of {} against it: the reference, with twice as many, is nearer to the truth",
                                 choice.half->name);

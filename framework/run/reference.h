@@ -33,7 +33,7 @@ struct Reference {
 
 // `frame` has the scene's exact settings.
 Reference make_reference(const ReferenceChoice& choice, const std::string& scene_note, const Frame& frame,
-                         std::uint64_t seed, const Workers& workers);
+                         int frame_number, std::uint64_t seed, const Workers& workers);
 
 // The exact fragments that coverage is held against, block by block.
 std::vector<MergedBlock> exact_fragments(Against against, const ReferenceChoice& choice, const Frame& frame,

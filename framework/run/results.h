@@ -12,6 +12,9 @@
 
 namespace moire {
 
+// The reference's name in rows and images that it has beside the contenders.
+inline constexpr const char* reference_name = "reference";
+
 // One number. low and high: a spread or an interval, NaN where there is none. A value that could not be computed is
 // NaN.
 struct Row {
@@ -42,9 +45,10 @@ struct ContenderResult {
 // A picture of one contender on one scene.
 struct ImageResult {
   std::string scene, sampler;
-  std::string kind;            // "image", "error_absolute", "error_signed"
+  std::string kind;            // "image", "error_absolute", "error_signed", or of a picture: "footprint_2"
   std::filesystem::path file;  // a PNG below the result folder; an EXR of the same name may lie beside it
   double scale = 0;            // of error maps: the value (in units of error.rmse) at the end of the colour scale
+  std::string caption = "";    // of pictures: what is shown
 };
 
 // A contender that did not finish on a scene, and why.

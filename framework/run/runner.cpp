@@ -1,5 +1,6 @@
 #include "run/runner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -10,11 +11,15 @@
 #include <moire/error.h>
 
 #include "metrics/registry.h"
+#include "pictures/registry.h"
 #include "run/detail_window.h"
 #include "run/empty_sampler.h"
+#include "run/failure_message.h"
+#include "run/frame_run.h"
 #include "run/manifest.h"
 #include "run/progress.h"
 #include "run/reference.h"
+#include "run/shared.h"
 #include "run/speed.h"
 
 namespace moire {
@@ -23,7 +28,7 @@ namespace {
 
 std::vector<Explanation> explanations(const Experiment& experiment) {
   std::vector<Explanation> result;
-  for (const MetricChoice& choice : experiment.metrics) {
+  for (const PassChoice& choice : experiment.metrics) {
     for (const Quantity& q : registered_metric(choice.name).description->quantities) {
       result.push_back({std::string(q.name), std::string(q.unit), std::string(q.meaning), q.lower_is_better,
                         q.is_judged, q.is_main});
@@ -32,41 +37,35 @@ std::vector<Explanation> explanations(const Experiment& experiment) {
   return result;
 }
 
-std::string_view unit_of(const MetricDescription& description, std::string_view quantity) {
+std::string_view unit_of(const PassDescription& description, std::string_view quantity) {
   for (const Quantity& q : description.quantities) {
     if (q.name == quantity) return q.unit;
   }
   return "";
 }
 
-// The reference, the contenders, and timing if it is asked for.
-std::size_t steps_a_scene(const Experiment& experiment) {
-  std::size_t speeds = 0;
-  for (const MetricChoice& metric : experiment.metrics) speeds += registered_metric(metric.name).make == nullptr;
-  return 1 + experiment.samplers.size() + speeds;
+bool has_frame_passes(const Experiment& experiment) {
+  return !experiment.pictures.empty() ||
+         std::any_of(experiment.metrics.begin(), experiment.metrics.end(),
+                     [](const PassChoice& metric) { return registered_metric(metric.name).make_temporal != nullptr; });
 }
 
-// What went wrong, as a person can use it, whatever was thrown.
-std::string message_of(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const std::bad_alloc&) {
-    return "out of memory";
-  } catch (const std::exception& e) {
-    return e.what();
-  } catch (...) {
-    return "threw something that is no std::exception";
-  }
+// The reference, the contenders, the passes over frames, and timing if it is asked for.
+std::size_t steps_a_scene(const Experiment& experiment) {
+  std::size_t timings = 0;
+  for (const PassChoice& metric : experiment.metrics) timings += registered_metric(metric.name).is_timing();
+  return 1 + experiment.samplers.size() + has_frame_passes(experiment) + timings;
 }
 
 // A scene, what it is judged against, and the jobs on it.
 class SceneRun {
  public:
-  SceneRun(const Experiment& experiment, const SceneChoice& choice, const Catalog& catalog, const Workers& workers,
-           Sink& sink, Progress& progress, Results& results)
+  SceneRun(const Experiment& experiment, const SceneChoice& choice, const Catalog& catalog, Shared& shared,
+           const Workers& workers, Sink& sink, Progress& progress, Results& results)
       : experiment_(experiment),
         choice_(choice),
         catalog_(catalog),
+        shared_(shared),
         workers_(workers),
         sink_(sink),
         progress_(progress),
@@ -87,8 +86,9 @@ class SceneRun {
       });
     }
     if (!error_sum_.empty()) scene_result().detail_window = worst_window(error_sum_, experiment_.image);
-    for (const MetricChoice& metric : experiment_.metrics) {
-      if (!registered_metric(metric.name).make) step(choice_.name, "speed", [&] { time(metric.settings); });
+    if (has_frame_passes(experiment_)) step(choice_.name, "frames", [&] { watch_frames(); });
+    for (const PassChoice& metric : experiment_.metrics) {
+      if (registered_metric(metric.name).is_timing()) step(choice_.name, "speed", [&] { time(metric.settings); });
     }
     sink_.save(results_);
   }
@@ -102,7 +102,7 @@ class SceneRun {
     } catch (const Interrupted&) {
       throw;
     } catch (...) {
-      const std::string message = message_of(std::current_exception());
+      const std::string message = failure_message(std::current_exception());
       results_.failures.push_back({scene, sampler, message});
       progress_.note(fmt::format("{} / {}: failed: {}", scene, sampler, message));
     }
@@ -119,12 +119,14 @@ class SceneRun {
         experiment_.reference
             ? ReferenceChoice{*experiment_.reference, {}, experiment_.reference->plugin->sampler->claims.exact}
             : best_reference(catalog_, answered);
-    scene_ = plugin.make(choice_.settings);
-    const Settings exact = exact_settings(plugin, choice_.settings);
+    scene_ = &shared_.scene(choice_);
+    const int still = experiment_.frames.still;
+    const Settings exact = exact_settings_at(still);
     exact_frame_ = scene_->frame(exact, experiment_.image);
-    auto frame = scene_->frame(choice_.settings, experiment_.image);
+    auto frame = scene_->frame(settings_at(choice_.settings, experiment_.frames, still), experiment_.image);
 
-    reference_ = make_reference(reference_choice_, exact_note(plugin), *exact_frame_, experiment_.seed, workers_);
+    reference_ = shared_.reference(reference_choice_, exact_note(plugin), exact, experiment_.image, still,
+                                   experiment_.seed, workers_);
     SceneResult& result = scene_result();
     result.reference = reference_.recipe;
     result.reference_error = reference_.error;
@@ -133,7 +135,11 @@ class SceneRun {
     frame_ = std::move(frame);
   }
 
-  // "walk=grid, hierarchy=false": the settings that the reference does not take from the experiment.
+  Settings exact_settings_at(int frame) const {
+    return exact_settings(*choice_.plugin->scene, settings_at(choice_.settings, experiment_.frames, frame));
+  }
+
+  // "walk=grid, levels=none": the settings that the reference does not take from the experiment.
   static std::string exact_note(const ScenePlugin& plugin) {
     std::string note;
     for (const Parameter& parameter : plugin.parameters) {
@@ -157,7 +163,7 @@ class SceneRun {
     };
     std::vector<Pass> passes;
     bool recording = false;
-    for (const MetricChoice& choice : experiment_.metrics) {
+    for (const PassChoice& choice : experiment_.metrics) {
       const RegisteredMetric& entry = registered_metric(choice.name);
       if (!entry.make) continue;
       passes.push_back({&entry, entry.make(choice.settings)});
@@ -172,7 +178,7 @@ class SceneRun {
         static_cast<std::size_t>(experiment_.image.width) * static_cast<std::size_t>(experiment_.image.height);
     Picture picture{experiment_.image, std::vector<Color>(pixels)};
     std::vector<Counters> counters(workers_.blocks(experiment_.image));
-    const auto rendering = contender.begin(*frame_, experiment_.seed);
+    const auto rendering = contender.begin(*frame_, experiment_.seed, experiment_.frames.still);
     workers_.render(*rendering, experiment_.image, recording, [&](std::size_t index, const PixelBlock& block) {
       put(block, picture);
       counters[index] = block.counters;
@@ -184,17 +190,94 @@ class SceneRun {
     Counters sum;
     for (const Counters& block : counters) sum += block;
     results_.images.push_back(
-        {choice_.name, sampler.name, "image", sink_.picture(choice_.name, sampler.name, picture)});
+        {choice_.name, sampler.name, "image", sink_.picture(choice_.name, sampler.name, picture), 0, ""});
     for (const Pass& pass : passes) {
-      for (const Measurement& m : pass.metric->finish({picture, reference_.picture, sum})) {
-        results_.rows.push_back({choice_.name, sampler.name, std::string(m.quantity), m.value, m.low, m.high,
-                                 std::string(unit_of(*pass.entry->description, m.quantity))});
-      }
+      add_rows(sampler.name, *pass.entry->description, pass.metric->finish({picture, reference_.picture, sum}));
       for (const Map& map : pass.metric->maps()) {
         results_.images.push_back({choice_.name, sampler.name, std::string(map.kind),
-                                   sink_.map(choice_.name, sampler.name, experiment_.image, map), map.scale});
+                                   sink_.map(choice_.name, sampler.name, experiment_.image, map), map.scale, ""});
         add_errors(map);
       }
+    }
+  }
+
+  // A contender of name `name`, null for the reference, with its passes over frames.
+  Watched watched(const std::string& name, std::unique_ptr<Contender> contender) const {
+    Watched result{name, std::move(contender), {}, {}};
+    for (const PassChoice& metric : experiment_.metrics) {
+      if (const auto make = registered_metric(metric.name).make_temporal)
+        result.passes.push_back(make(metric.settings, experiment_.image));
+    }
+    for (const PassChoice& picture : experiment_.pictures) {
+      result.passes.push_back(
+          registered_picture(picture.name).make(picture.settings, {experiment_.image, experiment_.frames.count}));
+    }
+    if (!result.contender) {
+      for (auto& pass : result.passes) {
+        if (!pass->needs().of_reference) pass.reset();
+      }
+    }
+    return result;
+  }
+
+  void watch_frames() {
+    std::vector<Watched> all;
+    all.push_back(watched(reference_name, nullptr));
+    for (const SamplerChoice& sampler : experiment_.samplers) {
+      if (results_.jobs.contains(choice_.name + "/" + sampler.name))
+        all.push_back(watched(sampler.name, std::make_unique<Contender>(sampler)));
+    }
+    const FrameSource source{*scene_,
+                             [&](int frame) { return settings_at(choice_.settings, experiment_.frames, frame); },
+                             [&](int frame) { return exact_settings_at(frame); },
+                             experiment_.image,
+                             experiment_.frames.count,
+                             experiment_.frames.still,
+                             experiment_.seed};
+    run_frames(source, reference_choice_, all, workers_, [&](double share) { progress_.advance(share); });
+    for (const Watched& w : all) {
+      if (w.failure.empty()) {
+        keep(w);
+      } else {
+        results_.failures.push_back({choice_.name, w.name, w.failure});
+        progress_.note(fmt::format("{} / {}: failed: {}", choice_.name, w.name, w.failure));
+      }
+    }
+  }
+
+  void keep(const Watched& w) {
+    auto pass = w.passes.begin();
+    for (const PassChoice& metric : experiment_.metrics) {
+      const RegisteredMetric& entry = registered_metric(metric.name);
+      if (!entry.make_temporal) continue;
+      if (const auto* temporal = static_cast<const TemporalMetric*>((pass++)->get()))
+        add_rows(w.name, *entry.description, temporal->finish());
+    }
+    for (std::size_t k = 0; k < experiment_.pictures.size(); ++k) {
+      const auto* picture = static_cast<const PicturePass*>((pass++)->get());
+      if (!picture) continue;
+      const Drawing drawing = picture->finish();
+      const std::string kind = picture_kind(k);
+      const std::string folder = w.contender ? w.name : reference_folder;
+      results_.images.push_back(
+          {choice_.name, w.name, kind, sink_.drawing(choice_.name, folder, kind, drawing.picture), 0, drawing.caption});
+    }
+  }
+
+  // "footprint", or "footprint_2" for the second of several.
+  std::string picture_kind(std::size_t index) const {
+    const std::string& name = experiment_.pictures[index].name;
+    const auto is_same = [&](const PassChoice& picture) { return picture.name == name; };
+    const auto begin = experiment_.pictures.begin();
+    if (std::count_if(begin, experiment_.pictures.end(), is_same) == 1) return name;
+    return fmt::format("{}_{}", name, 1 + std::count_if(begin, begin + static_cast<std::ptrdiff_t>(index), is_same));
+  }
+
+  void add_rows(const std::string& sampler, const PassDescription& description,
+                const std::vector<Measurement>& measurements) {
+    for (const Measurement& m : measurements) {
+      results_.rows.push_back({choice_.name, sampler, std::string(m.quantity), m.value, m.low, m.high,
+                               std::string(unit_of(description, m.quantity))});
     }
   }
 
@@ -217,7 +300,7 @@ class SceneRun {
         add(std::make_unique<Contender>(sampler), *frame_, false);
     }
     SamplerChoice ceiling = reference_choice_.sampler;
-    ceiling.name = ceiling_name;
+    ceiling.name = reference_name;
     add(std::make_unique<Contender>(ceiling), *exact_frame_, true);
     const auto rows = measure_speed(choice_.name, timed, settings, experiment_.seed, workers_,
                                     [&](double share) { progress_.advance(share); });
@@ -227,13 +310,14 @@ class SceneRun {
   const Experiment& experiment_;
   const SceneChoice& choice_;
   const Catalog& catalog_;
+  Shared& shared_;
   const Workers& workers_;
   Sink& sink_;
   Progress& progress_;
   Results& results_;
 
   ReferenceChoice reference_choice_;
-  std::unique_ptr<Scene> scene_;
+  const Scene* scene_ = nullptr;
   std::unique_ptr<Frame> exact_frame_, frame_;
   Reference reference_;
   std::vector<MergedBlock> column_blocks_, pixel_blocks_;
@@ -265,6 +349,7 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
                                   std::string(sampler.plugin->source())});
   }
 
+  Shared shared;
   Progress progress(experiment.scenes.size() * steps_a_scene(experiment));
   try {
     for (std::size_t k = 0; k < experiment.scenes.size(); ++k) {
@@ -275,7 +360,7 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
       result.version = scene.plugin->version;
       result.settings = chosen(experiment.request, "scenes", k);
       result.summary = scene.plugin->summary();
-      SceneRun(experiment, scene, catalog, workers, sink, progress, results).run(hashes);
+      SceneRun(experiment, scene, catalog, shared, workers, sink, progress, results).run(hashes);
     }
   } catch (const Interrupted&) {
     results.interrupted = true;

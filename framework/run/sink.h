@@ -17,6 +17,9 @@ class Sink {
                                         const Picture& picture) = 0;
   virtual std::filesystem::path map(const std::string& scene, const std::string& sampler, ImageSize size,
                                     const Map& map) = 0;
+  // A picture of how a method samples, of a kind such as "footprint".
+  virtual std::filesystem::path drawing(const std::string& scene, const std::string& sampler, const std::string& kind,
+                                        const Picture& picture) = 0;
   // All that is known so far; called after every job.
   virtual void save(const Results& results) = 0;
 };

@@ -11,7 +11,6 @@ namespace moire {
 
 // Contenders of the host's own that every timing shows beside the others.
 inline constexpr const char* floor_name = "nothing";
-inline constexpr const char* ceiling_name = "reference";
 
 struct Timed {
   const Contender* contender;

@@ -44,7 +44,6 @@ void Workers::run_blocks(ImageSize size, bool recording, BlockWork* work) const 
     return PixelArea{x0, 0, std::min(block_width_, size.width - x0), size.height};
   };
   const auto one = [&](std::size_t index, std::optional<PixelBlock>& block) {
-    if (stop_requested()) throw Interrupted{};
     if (block) {
       block->move_to(area(index));
     } else {
@@ -53,17 +52,24 @@ void Workers::run_blocks(ImageSize size, bool recording, BlockWork* work) const 
     (*work)(index, *block);
   };
 
+  tbb::enumerable_thread_specific<std::optional<PixelBlock>> own;
+  for_each(blocks(size), [&](std::size_t index) { one(index, own.local()); });
+}
+
+void Workers::for_each(std::size_t count, const std::function<void(std::size_t)>& work) const {
+  const auto checked = [&](std::size_t index) {
+    if (stop_requested()) throw Interrupted{};
+    work(index);
+  };
   if (threads_ == 1) {
-    std::optional<PixelBlock> block;
-    for (std::size_t index = 0; index < blocks(size); ++index) one(index, block);
+    for (std::size_t index = 0; index < count; ++index) checked(index);
     return;
   }
-  tbb::enumerable_thread_specific<std::optional<PixelBlock>> own;
   arena_->arena.execute([&] {
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, blocks(size), 1),
+        tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const auto& range) {
-          for (std::size_t index = range.begin(); index < range.end(); ++index) one(index, own.local());
+          for (std::size_t index = range.begin(); index < range.end(); ++index) checked(index);
         },
         tbb::simple_partitioner());
   });

@@ -1,6 +1,7 @@
 // The threads of a run, and Ctrl-C.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <moire/sampler.h>
@@ -41,6 +42,9 @@ class Workers {
     Call<Work> call{work};
     run_blocks(size, recording, &call);
   }
+
+  // Calls work(0) .. work(count - 1), many at once. Throws what `work` throws, or Interrupted.
+  void for_each(std::size_t count, const std::function<void(std::size_t)>& work) const;
 
   std::size_t blocks(ImageSize size) const {
     return static_cast<std::size_t>((size.width + block_width_ - 1) / block_width_);

@@ -20,7 +20,7 @@ TEST_CASE("every command explains itself") {
       {"report", "Make the report of a result folder again"},
       {"check", "Check an experiment without running it"},
       {"list", "What there is, and which sampler runs on which scene"},
-      {"describe", "A sampler, scene, metric or lookup and its parameters"},
+      {"describe", "A sampler, scene, metric, picture or lookup and its parameters"},
       {"render", "Render one picture"},
       {"new", "Start a plugin of one's own"},
       {"schema", "The JSON Schema of experiment files, for editors"}};
@@ -54,7 +54,7 @@ TEST_CASE("missing and wrong arguments are errors of the request") {
            {{"run"}, "experiment is required"},
            {{"run", "x", "--nonsense"}, "The following argument was not expected: --nonsense"},
            {{"run", "x", "-j", "0"}, "--threads: Value 0 not in range 1 to 4096"},
-           {{"list", "nonsense"}, "what: nonsense not in {samplers,scenes,metrics,lookups}"}}) {
+           {{"list", "nonsense"}, "what: nonsense not in {samplers,scenes,metrics,pictures,lookups}"}}) {
     const Ended ended = desk.moire(arguments);
     CHECK(ended.code == 2);
     CHECK(ended.out == "");
@@ -69,12 +69,13 @@ TEST_CASE("list names what there is, and as JSON too") {
   const Ended text = desk.moire({"list"});
   CHECK(text.code == 0);
   CHECK(text.err == "");
-  for (const char* line : {"samplers\n", "\nscenes\n", "\nmetrics\n", "\nlookups\n", "\n  point            ",
-                           "\n  heightfield      ", "\n  coverage         ", "\n  linear_across    "})
+  for (const char* line :
+       {"samplers\n", "\nscenes\n", "\nmetrics\n", "\npictures\n", "\nlookups\n", "\n  point            ",
+        "\n  heightfield      ", "\n  coverage         ", "\n  linear_across    "})
     CHECK(text.out.find(line) != std::string::npos);
 
   const auto json = nlohmann::json::parse(desk.moire({"list", "--json"}).out);
-  for (const char* kind : {"samplers", "scenes", "metrics", "lookups"}) {
+  for (const char* kind : {"samplers", "scenes", "metrics", "pictures", "lookups"}) {
     for (const auto& entry : json.at(kind)) {
       CHECK(text.out.find("\n  " + entry.at("name").get<std::string>()) != std::string::npos);
       CHECK(text.out.find(entry.at("summary").get<std::string>()) != std::string::npos);
@@ -125,10 +126,11 @@ TEST_CASE("describe knows near misses") {
   CHECK(near.code == 2);
   CHECK(near.out == "");
   CHECK(near.err ==
-        "supersmple: no sampler, scene, metric or lookup has this name; did you mean \"supersample\"? `moire list` "
+        "supersmple: no sampler, scene, metric, picture or lookup has this name; did you mean \"supersample\"? `moire "
+        "list` "
         "shows all\n");
   CHECK(desk.moire({"describe", "unheard_of"}).err ==
-        "unheard_of: no sampler, scene, metric or lookup has this name; `moire list` shows all\n");
+        "unheard_of: no sampler, scene, metric, picture or lookup has this name; `moire list` shows all\n");
 }
 
 TEST_CASE("the schema for editors is the one beside the sources") {

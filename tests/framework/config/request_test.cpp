@@ -123,11 +123,17 @@ TEST_CASE("the request has every default filled in and every grid spread out") {
  ],
  "reference": "auto",
  "seed": 1,
+ "frames": {
+  "count": 1,
+  "still": 0,
+  "animate": {}
+ },
  "metrics": [
   {
    "type": "error"
   }
- ]
+ ],
+ "pictures": []
 })");
 }
 

@@ -60,18 +60,17 @@ constexpr ScenePlugin cartoon{.summary = "Polygons.", .source = "", .answers = [
                               }};
 
 constexpr Parameter coverage_parameters[] = {choice("against", "column", "column pixel", "what is counted as visible")};
-constexpr MetricDescription coverage{.name = "coverage",
-                                     .summary = "Elements seen.",
-                                     .source = "",
-                                     .parameters = coverage_parameters,
-                                     .quantities = {},
-                                     .asks = [](const Settings& settings) {
-                                       return settings.text("against") == "column" ? Questions::lines : Questions::none;
-                                     }};
-constexpr MetricDescription error{
+constexpr PassDescription coverage{.name = "coverage",
+                                   .summary = "Elements seen.",
+                                   .source = "",
+                                   .parameters = coverage_parameters,
+                                   .quantities = {},
+                                   .asks = [](const Settings& settings) {
+                                     return settings.text("against") == "column" ? Questions::lines : Questions::none;
+                                   }};
+constexpr PassDescription error{
     .name = "error", .summary = "Colour.", .source = "", .parameters = {}, .quantities = {}};
-constexpr MetricDescription speed{
-    .name = "speed", .summary = "Time.", .source = "", .parameters = {}, .quantities = {}};
+constexpr PassDescription speed{.name = "speed", .summary = "Time.", .source = "", .parameters = {}, .quantities = {}};
 
 Plugin scene(std::string name, const ScenePlugin& plugin) {
   return {.file = {}, .kind = Kind::scene, .name = std::move(name), .version = "1.0.0", .scene = &plugin};
@@ -86,7 +85,7 @@ const Vocabulary& vocabulary() {
   static const Catalog catalog({sampler("area", area), sampler("bilinear", bilinear), scene("cartoon", cartoon),
                                 scene("heightfield", heightfield), sampler("point", point),
                                 sampler("supersample", supersample), scene("textured_plane", textured_plane)});
-  static constexpr const MetricDescription* metrics[] = {&coverage, &error, &speed};
+  static constexpr const PassDescription* metrics[] = {&coverage, &error, &speed};
   static constexpr NamedSummary lookups[] = {
       {"nearest", "one texel"}, {"linear_across", "two texels"}, {"bilinear", "four texels"}};
   static const Vocabulary result{&catalog, metrics, lookups};

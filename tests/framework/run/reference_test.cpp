@@ -106,18 +106,18 @@ TEST_CASE("a reference says how it was made, and how far it is from one of half 
   const SamplerChoice half{"middle", &plugin, Settings(), "nearest"};
   const OneColor frame;
 
-  const Reference judged = make_reference({full, half, false}, "walk=grid", frame, 1, Workers(1));
+  const Reference judged = make_reference({full, half, false}, "walk=grid", frame, 0, 1, Workers(1));
   CHECK(judged.recipe == "middle[n=2]; walk=grid");
   CHECK(judged.error == 0);
   CHECK(judged.how == "rmse of middle against it: the reference, with twice as many, is nearer to the truth");
   CHECK(judged.picture.pixels == std::vector<Color>(6));
 
-  const Reference named = make_reference({full, {}, false}, "", frame, 1, Workers(1));
+  const Reference named = make_reference({full, {}, false}, "", frame, 0, 1, Workers(1));
   CHECK(named.recipe == "middle[n=2]");
   CHECK(std::isnan(named.error));
   CHECK(named.how == "unknown: the experiment names this reference");
 
-  const Reference sure = make_reference({full, half, true}, "", frame, 1, Workers(1));
+  const Reference sure = make_reference({full, half, true}, "", frame, 0, 1, Workers(1));
   CHECK(sure.error == 0);
   CHECK(sure.how == "exact: no sampling error");
 }

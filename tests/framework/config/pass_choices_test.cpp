@@ -1,4 +1,4 @@
-#include "config/metric_choices.h"
+#include "config/pass_choices.h"
 
 #include <catch2/catch_test_macros.hpp>
 

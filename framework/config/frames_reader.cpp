@@ -1,0 +1,138 @@
+#include "config/frames_reader.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "config/experiment_format.h"
+#include "config/nearest_name.h"
+
+namespace moire {
+namespace {
+
+bool can_move(const Parameter& parameter) { return parameter.type == Type::real && parameter.is_per_frame; }
+
+class FramesReader {
+ public:
+  FramesReader(const std::vector<Choice>& scenes, const Reading& reading) : scenes_(scenes), reading_(reading) {}
+
+  Frames read(const JsonNode& node) {
+    if (!node.is(JsonKind::object)) {
+      problem(node.place, "frames", fmt::format("is {}; it takes an object with {}", shown(node), listed(keys)));
+      return {};
+    }
+    for (const JsonMember& member : node.members) {
+      if (std::find(std::begin(keys), std::end(keys), member.key) == std::end(keys)) {
+        problem(member.place, member_path("frames", member.key),
+                fmt::format("unknown key{} frames take {}", did_you_mean(member.key, keys), listed(keys)));
+      }
+    }
+    frames_.count = whole(node, format::frame_count, frames_.count);
+    frames_.still = whole(node, format::still_frame, frames_.still);
+    if (frames_.still >= frames_.count) {
+      const JsonNode* still = node.find(format::still_frame.name);
+      problem(still ? still->place : node.place, "frames.still",
+              fmt::format("is {}; frames are numbered from 0 to {}", frames_.still, frames_.count - 1));
+    }
+    if (const JsonNode* animate = node.find(format::animate_key)) read_tracks(*animate);
+    return std::move(frames_);
+  }
+
+ private:
+  static constexpr std::string_view keys[] = {format::frame_count.name, format::still_frame.name, format::animate_key};
+
+  void problem(const Place& place, const std::string& path, const std::string& what) {
+    reading_.problems.add(place, path, what);
+  }
+
+  int whole(const JsonNode& object, const Parameter& parameter, int otherwise) {
+    const JsonNode* node = object.find(parameter.name);
+    if (!node) return otherwise;
+    const auto cell = read_value(*node, member_path("frames", parameter.name), parameter, "frames", reading_);
+    return cell ? static_cast<int>(std::get<std::int64_t>(cell->value)) : otherwise;
+  }
+
+  void read_tracks(const JsonNode& animate) {
+    if (!animate.is(JsonKind::object)) {
+      return problem(animate.place, "frames.animate",
+                     fmt::format("is {}; it takes an object such as {{\"view.x\": [[0, 0], [{}, 10.5]]}}",
+                                 shown(animate), std::max(frames_.count - 1, 1)));
+    }
+    for (const JsonMember& member : animate.members) {
+      const std::string path = member_path("frames.animate", member.key);
+      bool is_known = true;
+      for (const Choice& scene : scenes_) is_known = is_movable(scene, member, path) && is_known;
+      if (is_known) read_track(member, path);
+    }
+  }
+
+  bool is_movable(const Choice& scene, const JsonMember& member, const std::string& path) {
+    std::vector<std::string_view> movable;
+    for (const Parameter& parameter : scene.table) {
+      if (!can_move(parameter)) continue;
+      if (parameter.name == member.key) return true;
+      movable.push_back(parameter.name);
+    }
+    problem(member.place, path,
+            movable.empty() ? fmt::format("scene \"{}\" has nothing that can be animated", scene.name)
+                            : fmt::format("cannot be animated in scene \"{}\"{} what can is {}", scene.name,
+                                          did_you_mean(member.key, movable), listed(movable)));
+    return false;
+  }
+
+  void read_track(const JsonMember& member, const std::string& path) {
+    const JsonNode& list = member.value;
+    if (!list.is(JsonKind::list) || list.items.empty()) {
+      return problem(list.place, path,
+                     fmt::format("is {}; it takes keyframes such as [[0, 1.5], [{}, 9]]",
+                                 list.is(JsonKind::list) ? "an empty list" : shown(list), frames_.count - 1));
+    }
+    Track track{member.key, {}};
+    for (std::size_t i = 0; i < list.items.size(); ++i) read_key(list.items[i], item_path(path, i), track);
+    if (track.keys.size() == list.items.size()) frames_.tracks.push_back(std::move(track));
+  }
+
+  void read_key(const JsonNode& node, const std::string& path, Track& track) {
+    const bool is_pair = node.is(JsonKind::list) && node.items.size() == 2 && node.items[0].is(JsonKind::integer) &&
+                         node.items[1].is_number();
+    if (!is_pair) return problem(node.place, path, "is no keyframe; one is [frame, value], such as [0, 1.5]");
+    const std::int64_t frame = node.items[0].integer;
+    if (frame < 0 || frame >= frames_.count) {
+      return problem(node.place, path,
+                     fmt::format("is at frame {}; frames are numbered from 0 to {}", frame, frames_.count - 1));
+    }
+    if (!track.keys.empty() && frame <= track.keys.back().frame) {
+      return problem(
+          node.place, path,
+          fmt::format("is at frame {}, after one at {}; frames of keyframes rise", frame, track.keys.back().frame));
+    }
+    for (const Choice& scene : scenes_) {
+      const auto parameter = std::find_if(scene.table.begin(), scene.table.end(),
+                                          [&](const Parameter& p) { return p.name == track.parameter; });
+      if (!read_value(node.items[1], item_path(path, 1), *parameter, scene.plugin->name, reading_)) return;
+    }
+    track.keys.push_back({static_cast<int>(frame), node.items[1].real});
+  }
+
+  const std::vector<Choice>& scenes_;
+  const Reading& reading_;
+  Frames frames_;
+};
+
+}  // namespace
+
+Frames read_frames(const JsonNode* node, const std::vector<Choice>& scenes, const Reading& reading) {
+  return node ? FramesReader(scenes, reading).read(*node) : Frames();
+}
+
+nlohmann::ordered_json written(const Frames& frames) {
+  nlohmann::ordered_json animate = nlohmann::ordered_json::object();
+  for (const Track& track : frames.tracks) {
+    for (const Keyframe& key : track.keys) animate[track.parameter].push_back({key.frame, key.value});
+  }
+  return {{format::frame_count.name, frames.count},
+          {format::still_frame.name, frames.still},
+          {format::animate_key, std::move(animate)}};
+}
+
+}  // namespace moire

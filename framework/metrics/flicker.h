@@ -1,0 +1,34 @@
+// How much pixels change from frame to frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <moire/settings.h>
+
+#include "metrics/temporal_metric.h"
+
+namespace moire {
+
+class Flicker final : public TemporalMetric {
+ public:
+  Flicker(const Settings& settings, ImageSize image);
+
+  Needs needs() const override {
+    return {.columns = columns_, .every_frame = true, .reference = true, .of_reference = true};
+  }
+  void see(const FrameView& view) override;
+  std::vector<Measurement> finish() const override;
+
+ private:
+  using Code = std::array<int, 3>;  // 8-bit sRGB
+  static std::vector<Code> codes_of(const PixelBlock& block);
+
+  Columns columns_;
+  std::vector<Code> last_, last_reference_;
+  std::array<std::uint64_t, 256> histogram_{};
+  std::uint64_t excess_ = 0;
+};
+
+}  // namespace moire
