@@ -48,6 +48,7 @@ class ExperimentReader {
     refuse_impossible_scenes();
     refuse_mismatches();
     for (const auto* passes : {&metrics_, &pictures_}) refuse_passes(*passes);
+    refuse_without_basis();
   }
 
   void keep_only(const std::string& only) { moire::keep_only(only, scenes_, samplers_, problems_); }
@@ -172,6 +173,17 @@ class ExperimentReader {
       for (const Choice& scene : scenes_) {
         const std::string misfit = mismatch(scene_of(scene), *pass.description, pass.choice.settings, vocabulary_);
         if (!misfit.empty()) problems_.add(pass.place, pass.path, misfit);
+      }
+    }
+  }
+
+  void refuse_without_basis() {
+    for (const PassEntry& pass : metrics_) {
+      for (std::string_view basis : pass.description->basis) {
+        if (std::any_of(metrics_.begin(), metrics_.end(), [&](const auto& m) { return m.choice.name == basis; }))
+          continue;
+        problems_.add(pass.place, pass.path,
+                      fmt::format("works on the numbers of \"{}\", which is not among the metrics; add it", basis));
       }
     }
   }

@@ -11,6 +11,7 @@ std::span<const RegisteredMetric> registered_metrics() {
       RegisteredMetric{.description = &coverage_description, .make = make_coverage},
       RegisteredMetric{.description = &flicker_description, .make_temporal = make_flicker},
       RegisteredMetric{.description = &speed_description},
+      RegisteredMetric{.description = &cost_description, .is_analysis = true},
   };
   return entries;
 }

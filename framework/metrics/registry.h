@@ -11,11 +11,13 @@ namespace moire {
 
 struct RegisteredMetric {
   const PassDescription* description;
-  // One of the two; neither: the runner measures all contenders of a scene together (speed).
+  // One of these; neither: the runner measures all contenders of a scene together (speed).
   std::unique_ptr<Metric> (*make)(const Settings&) = nullptr;
   std::unique_ptr<TemporalMetric> (*make_temporal)(const Settings&, ImageSize) = nullptr;
 
-  bool is_timing() const { return !make && !make_temporal; }
+  bool is_analysis = false;  // works on the rows of others, after the last scene
+
+  bool is_timing() const { return !make && !make_temporal && !is_analysis; }
 };
 
 std::span<const RegisteredMetric> registered_metrics();
@@ -23,7 +25,8 @@ std::span<const PassDescription* const> metric_descriptions();
 // Requires: a name of one of them.
 const RegisteredMetric& registered_metric(std::string_view name);
 
-extern const PassDescription error_description, coverage_description, flicker_description, speed_description;
+extern const PassDescription error_description, coverage_description, flicker_description, speed_description,
+    cost_description;
 std::unique_ptr<Metric> make_error(const Settings& settings);
 std::unique_ptr<Metric> make_coverage(const Settings& settings);
 std::unique_ptr<TemporalMetric> make_flicker(const Settings& settings, ImageSize image);

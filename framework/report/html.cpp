@@ -21,6 +21,8 @@ constexpr const char* content_policy =
 
 std::string scene_anchor(std::size_t index) { return fmt::format("scene-{}", index + 1); }
 
+std::string analysis_anchor(std::size_t index) { return fmt::format("analysis-{}", index + 1); }
+
 std::string counted(std::size_t count, const std::string& one) {
   return count == 1 ? fmt::format("one {}", one) : fmt::format("{} {}s", count, one);
 }
@@ -84,6 +86,9 @@ Markup navigation(const ReportData& data) {
   Markup links = tag("a", {{"href", "#contenders"}}, "Contenders");
   for (std::size_t i = 0; i < data.scenes.size(); ++i) {
     links += tag("a", {{"href", fmt::format("#{}", scene_anchor(i))}}, data.scenes[i].scene.name);
+  }
+  for (std::size_t i = 0; i < data.results.analyses.size(); ++i) {
+    links += tag("a", {{"href", fmt::format("#{}", analysis_anchor(i))}}, data.results.analyses[i].title);
   }
   links += tag("a", {{"href", "#metrics"}}, "Metrics") + tag("a", {{"href", "#provenance"}}, "Provenance");
   return tag("nav", {{"aria-label", "Sections"}}, links);
@@ -162,6 +167,24 @@ Markup scene_section(const ReportData& data, std::size_t index) {
   return section(scene_anchor(index), view.scene.name, content);
 }
 
+Markup analysis_section(const Results& results, std::size_t index) {
+  const Analysis& analysis = results.analyses[index];
+  Markup statements, rows;
+  for (const std::string& statement : analysis.statements) statements += tag("li", statement);
+  for (const Row& row : results.rows) {
+    if (row.scene != analysis.title) continue;
+    const auto cell = [](double number) { return tag("td", std::isnan(number) ? "" : readable_text(number)); };
+    rows += tag("tr", tag("th", {{"scope", "row"}}, row.metric) + tag("td", row.sampler) + cell(row.value) +
+                          cell(row.low) + cell(row.high) + tag("td", row.unit));
+  }
+  Markup head;
+  for (const char* title : {"metric", "of", "value", "low", "high", "unit"})
+    head += tag("th", {{"scope", "col"}}, title);
+  return section(
+      analysis_anchor(index), analysis.title,
+      tag("ul", {{"class", "statements"}}, statements) + scrolling_table(analysis.title, tag("tr", head), rows));
+}
+
 Markup provenance(const Results& results) {
   std::vector<std::pair<std::string, std::string>> jobs(results.jobs.begin(), results.jobs.end());
   Markup content = name_value_table("Manifest", flattened(results.manifest));
@@ -186,6 +209,7 @@ std::string html_text(const ReportData& data) {
       tag("header", tag("p", {{"class", "overline"}}, results.experiment) + tag("h1", results.question) + lede(data));
   Markup main = notices(results) + section("contenders", "Contenders", contenders(results));
   for (std::size_t i = 0; i < data.scenes.size(); ++i) main += scene_section(data, i);
+  for (std::size_t i = 0; i < results.analyses.size(); ++i) main += analysis_section(results, i);
   main += section("metrics", "Metrics", glossary(results)) + section("provenance", "Provenance", provenance(results));
   page += navigation(data) + tag("main", main);
   return "<!doctype html>\n" + tag("html", {{"lang", "en"}}, head(data) + tag("body", page)).text() + '\n';

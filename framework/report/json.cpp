@@ -80,6 +80,11 @@ void members(auto& file, Either<Failure> auto& failure) {
   file.field("message", failure.message);
 }
 
+void members(auto& file, Either<Analysis> auto& analysis) {
+  file.field("title", analysis.title);
+  file.field("statements", analysis.statements);
+}
+
 void members(auto& file, Either<Results> auto& results) {
   file.field("experiment", results.experiment);
   file.field("question", results.question);
@@ -92,6 +97,7 @@ void members(auto& file, Either<Results> auto& results) {
   file.list("failures", results.failures);
   file.list("rows", results.rows);
   file.list("images", results.images);
+  file.list("analyses", results.analyses);
   file.field("jobs", results.jobs);
 }
 

@@ -102,6 +102,11 @@ std::string summary_text(const Results& results) {
     tables.push_back(main_part(metric_table(results, scene)));
     text += heading(scene, unit_of(results, main_error)) + aligned(text_rows(tables.back())) + '\n';
   }
+  for (const Analysis& analysis : results.analyses) {
+    text += analysis.title + '\n';
+    for (const std::string& statement : analysis.statements) text += "  " + statement + '\n';
+    text += '\n';
+  }
   if (any_cell(tables, &Cell::is_best)) text += "* best of the contenders\n";
   if (any_cell(tables, &Cell::is_below_reference)) text += "~ below the reference's accuracy: as good as can be told\n";
   for (const Failure& failure : results.failures) {

@@ -56,6 +56,12 @@ struct Failure {
   std::string scene, sampler, message;
 };
 
+// What a pass over all scenes found out, in sentences; its rows have its title as their scene.
+struct Analysis {
+  std::string title;
+  std::vector<std::string> statements;
+};
+
 // What a metric means; the fields of a pass's Quantity.
 struct Explanation {
   std::string metric, unit, meaning;
@@ -73,6 +79,7 @@ struct Results {
   std::vector<ImageResult> images;
   std::vector<Failure> failures;
   std::vector<Explanation> metrics;
+  std::vector<Analysis> analyses;
   bool interrupted = false;
   std::map<std::string, std::string> jobs;  // "scene/sampler" to the job's key
   nlohmann::ordered_json manifest;          // versions, hashes, machine, date, command

@@ -12,6 +12,7 @@
 
 #include "metrics/registry.h"
 #include "pictures/registry.h"
+#include "run/cost_analysis.h"
 #include "run/detail_window.h"
 #include "run/empty_sampler.h"
 #include "run/failure_message.h"
@@ -362,10 +363,13 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
       result.summary = scene.plugin->summary();
       SceneRun(experiment, scene, catalog, shared, workers, sink, progress, results).run(hashes);
     }
+    for (const PassChoice& metric : experiment.metrics) {
+      if (registered_metric(metric.name).is_analysis) analyse_cost(metric.settings, results);
+    }
   } catch (const Interrupted&) {
     results.interrupted = true;
-    sink.save(results);
   }
+  sink.save(results);
   return results;
 }
 

@@ -82,6 +82,13 @@ TEST_CASE("what comes from data is shown as text") {
   CHECK_FALSE(contains(page, "<oops>"));
 }
 
+TEST_CASE("an analysis shows its statements and its numbers") {
+  const std::string page = ResultFolder().page();
+  CHECK(contains(page, "<h2>Cost &lt;model&gt;</h2>"));
+  CHECK(contains(page, "<li>A step costs 4 ns &amp; a hit 2 ns.</li>"));
+  CHECK(contains(page, "<td>4</td><td>3.50</td><td>4.50</td><td>ns</td>"));
+}
+
 TEST_CASE("links within a page lead somewhere") {
   const std::string page = ResultFolder().page();
   for (auto at = page.find("href=\"#"); at != std::string::npos; at = page.find("href=\"#", at + 1)) {

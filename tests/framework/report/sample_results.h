@@ -52,6 +52,8 @@ inline Results sample_results() {
   r.images = {{scene, "point", "image", "images/hill/point.png", 0},
               {scene, "point", "error_absolute", "images/hill/point_absolute.png", 40},
               {scene, "area", "image", "images/hill/area.png", 0}};
+  r.analyses = {{"Cost <model>", {"A step costs 4 ns & a hit 2 ns.", "Held out: 5 % < 10 %."}}};
+  r.rows.push_back({"Cost <model>", "Cost <model>", "cost.a", 4, 3.5, 4.5, "ns"});
   r.failures = {{scene, "<b>bad</b> \"one\"", "it threw: <oops> & more"}};
   r.jobs = {{"hill, steep/point", "0123456789abcdef"}};
   r.manifest = {{"version", "0.1.0"}, {"machine", {{"threads", 2}}}};
