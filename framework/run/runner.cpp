@@ -133,7 +133,7 @@ class SceneRun {
     frame_ = std::move(frame);
   }
 
-  // "walk=grid, hierarchy=false": the settings that the reference does not take from the experiment.
+  // "walk=grid, levels=none": the settings that the reference does not take from the experiment.
   static std::string exact_note(const ScenePlugin& plugin) {
     std::string note;
     for (const Parameter& parameter : plugin.parameters) {

@@ -28,7 +28,7 @@ Settings terrain_settings(const Catalog& catalog, const TerrainView& view) {
   settings.set("height_offset", 150.0);
   settings.set("far", 30000.0);
   settings.set("walk", std::string("major"));
-  settings.set("hierarchy", true);
+  settings.set("levels", std::string("floor"));
   settings.set("view.x", 512.3);
   settings.set("view.y", 511.6);
   settings.set("view.height", view.height);
@@ -75,11 +75,11 @@ void OnePiece::area(PixelBlock& block) const {
     block.fill([&](auto add) {
       look_.stretches<false>(
           {x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts, block.counters,
-          [&](std::size_t slot, double weight, const auto& walk, const heightfield::Voxel* voxel, const auto&,
+          [&](std::size_t slot, heightfield::Run run, const auto& walk, const heightfield::Voxel* voxel, const auto&,
               Tally::Sum& sum) {
             const Color color = voxel ? heightfield::color_of(*voxel->cell) : sky_;
-            sum.add(weight, color);
-            add.record(bottom - slot, voxel ? walk.element(*voxel) : background, weight, color);
+            sum.add(run.length, color);
+            add.record(bottom - slot, voxel ? walk.element(*voxel) : background, run.length, color);
           },
           [&](std::size_t slot, const Tally::Sum& sum) { add.sum(bottom - slot, sum); });
     });

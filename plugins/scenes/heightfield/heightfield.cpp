@@ -33,9 +33,22 @@ constexpr moire::Parameter parameters[] = {
     choice("coherence", "resume", "none resume", "a ray goes on where the one below it ended, or starts afresh")
         .per_frame(),
     integer("retrace", 0, 0, 1 << 20, "voxels", "how far a resuming ray goes back first").per_frame(),
-    flag("hierarchy", false, "walk over mean voxels as wide as a pixel's footprint").per_frame().exact_when("false"),
-    real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, rounded down to a power of two")
-        .per_frame(),
+    choice("azimuth", "pixel", "pixel column",
+           "points and upright lines look each pixel's own way, or that of their column in the middle row")
+        .per_frame()
+        .exact_when("pixel"),
+    choice("face", "box", "box near", "of a voxel its box is seen, or a thin wall on its near side")
+        .per_frame()
+        .exact_when("box"),
+    choice("weights", "area", "area height",
+           "what lines see is weighed by its length in the image, or by its height where it stands")
+        .per_frame()
+        .exact_when("area"),
+    choice("levels", "none", "none floor round",
+           "walk over mean voxels of a power-of-two width: level_constant times a pixel's footprint, rounded")
+        .per_frame()
+        .exact_when("none"),
+    real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, before it is rounded").per_frame(),
     real("view.x", 512, -1e9, 1e9, "units", "camera, eastward from the north-west corner").per_frame(),
     real("view.y", 980, -1e9, 1e9, "units", "camera, southward from the north-west corner").per_frame(),
     real("view.height", 120, -1e9, 1e9, "units", "camera above datum, where heights are 0").per_frame(),

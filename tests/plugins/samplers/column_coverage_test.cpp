@@ -70,10 +70,10 @@ TEST_CASE("against the column, area sampling sees all and only the visible voxel
   const Map map = usual_map();
   const SmallTerrain terrain(map);
   for (const char* walk : {"grid", "major"}) {
-    for (const bool hierarchy : {false, true}) {
+    for (const char* levels : {"none", "floor"}) {
       for (const View& view : plain_views()) {
-        CAPTURE(view.caption, walk, hierarchy);
-        const auto frame = terrain.frame(view, {{"walk", std::string(walk)}, {"hierarchy", hierarchy}});
+        CAPTURE(view.caption, walk, levels);
+        const auto frame = terrain.frame(view, {{"walk", std::string(walk)}, {"levels", std::string(levels)}});
         const auto values = column_coverage(*sampler("area"), *frame);
         if (values.at("coverage.visible") == 0) continue;
         CHECK(values.at("coverage.ratio") == 1);
