@@ -6,24 +6,27 @@ namespace heightfield {
 
 namespace {
 
-template <Face face>
-using FaceConstant = std::integral_constant<Face, face>;
-
-// Calls work(grid, face), both constants, with walk and face chosen once, outside the loops.
 template <class Work>
-void with_walk(const Manner& manner, Work work) {
-  const auto with_face = [&](auto grid) {
-    if (manner.face == Face::box) {
-      work(grid, FaceConstant<Face::box>{});
-    } else {
-      work(grid, FaceConstant<Face::near>{});
-    }
-  };
-  if (manner.grid) {
-    with_face(std::true_type{});
+void with_constant(bool value, Work work) {
+  if (value) {
+    work(std::true_type{});
   } else {
-    with_face(std::false_type{});
+    work(std::false_type{});
   }
+}
+
+// Calls work(constant) with the model chosen once, outside the loops.
+template <class Work>
+void with_model(const Model& model, Work work) {
+  with_constant(model.grid, [&](auto grid) {
+    with_constant(model.azimuth == Azimuth::column, [&](auto column) {
+      with_constant(model.face == Face::near, [&](auto near) {
+        work(std::integral_constant<Model, Model{.grid = grid(),
+                                                 .azimuth = column() ? Azimuth::column : Azimuth::pixel,
+                                                 .face = near() ? Face::near : Face::box}>{});
+      });
+    });
+  });
 }
 
 // The distance that stands for what is seen of a voxel: that of its top's middle, or of its wall.
@@ -36,8 +39,8 @@ double middle_of(const Voxel& voxel) {
 
 void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
                              moire::Counters& counters) const {
-  with_walk(look_.manner(), [&](auto grid, auto face) {
-    look_.rays<grid(), face()>(
+  with_model(look_.manner().model, [&](auto model) {
+    look_.rays<model()>(
         points, counters,
         [&](std::size_t k, const auto& walk, const Voxel& voxel, const Direction&, double) {
           hits[k] = {walk.element(voxel), color_of(*voxel.cell)};
@@ -50,21 +53,21 @@ void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::sp
 
 void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const double> cuts,
                              const moire::Lookup* lookup, moire::Tally& pieces) const {
-  if (look_.manner().height_weights) return along_by_height(from, to, cuts, lookup, pieces);
-  with_walk(look_.manner(), [&](auto grid, auto face) {
+  if (look_.manner().weights == Weights::height) return along_by_height(from, to, cuts, lookup, pieces);
+  with_model(look_.manner().model, [&](auto model) {
     if (lookup) {
-      look_.stretches<grid(), face()>(
+      look_.stretches<model()>(
           from, to, cuts, pieces.counters,
           [&](std::size_t slot, Run run, const auto& walk, const Voxel* voxel, const Direction& d, moire::Tally::Sum&) {
             if (!voxel) return pieces.add(slot, moire::background, run.length, sky_);
-            const double x = middle_of<face()>(*voxel);
-            lookup->deposit(look_.surface_point<face()>(walk, *voxel, x, d), texture_, run.length, pieces, slot);
+            const double x = middle_of<model().face>(*voxel);
+            lookup->deposit(look_.surface_point<model().face>(walk, *voxel, x, d), texture_, run.length, pieces, slot);
           },
           [](std::size_t, const moire::Tally::Sum&) {});
       return;
     }
     pieces.fill([&](auto add) {
-      look_.stretches<grid(), face()>(
+      look_.stretches<model()>(
           from, to, cuts, pieces.counters,
           [&](std::size_t slot, Run run, const auto& walk, const Voxel* voxel, const Direction&,
               moire::Tally::Sum& sum) {
@@ -85,12 +88,12 @@ void HeightfieldFrame::along_by_height(moire::Point from, moire::Point to, std::
   };
   std::vector<Seen> seen;  // of the terrain, in one stretch
   double length = 0, rise = 0;
-  with_walk(look_.manner(), [&](auto grid, auto face) {
-    look_.stretches<grid(), face()>(
+  with_model(look_.manner().model, [&](auto model) {
+    look_.stretches<model(), Weights::height>(
         from, to, cuts, pieces.counters,
         [&](std::size_t slot, Run run, const auto& walk, const Voxel* voxel, const Direction& d, moire::Tally::Sum&) {
           if (!voxel) return pieces.add(slot, moire::background, run.length, sky_);
-          seen.push_back({run, look_.surface_point<face()>(walk, *voxel, middle_of<face()>(*voxel), d)});
+          seen.push_back({run, look_.surface_point<model().face>(walk, *voxel, middle_of<model().face>(*voxel), d)});
           length += run.length;
           rise += run.rise;
         },
@@ -113,12 +116,12 @@ void HeightfieldFrame::along_by_height(moire::Point from, moire::Point to, std::
 
 void HeightfieldFrame::locate(std::span<const moire::SamplePoint> points, std::span<moire::SurfacePoint> out,
                               moire::Counters& counters) const {
-  with_walk(look_.manner(), [&](auto grid, auto face) {
-    look_.rays<grid(), face()>(
+  with_model(look_.manner().model, [&](auto model) {
+    look_.rays<model()>(
         points, counters,
         [&](std::size_t k, const auto& walk, const Voxel& voxel, const Direction& direction, double slope) {
-          const double x = look_.meeting<face()>(voxel, slope);
-          out[k] = look_.surface_point<face()>(walk, voxel, x, direction);
+          const double x = look_.meeting<model().face>(voxel, slope);
+          out[k] = look_.surface_point<model().face>(walk, voxel, x, direction);
         },
         [&](std::size_t k) {
           out[k] = {.hit = {moire::background, sky_}};

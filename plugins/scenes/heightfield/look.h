@@ -17,15 +17,25 @@
 
 namespace heightfield {
 
-// How a frame walks.
+// The way that a ray goes over the ground: its own, or that of its column in the picture's middle row.
+enum class Azimuth { pixel, column };
+
+// What rays meet. Compiled into the loops.
+struct Model {
+  bool grid = true;  // every voxel under a ray, or one a step along its major axis
+  Azimuth azimuth = Azimuth::pixel;
+  Face face = Face::box;
+};
+
+// What lines weigh what they see by: its length in the image, or its height where it stands.
+enum class Weights { area, height };
+
+// How a frame looks.
 struct Manner {
-  bool grid = true;    // every voxel under a ray, or one a step along its major axis
+  Model model;
   bool resume = true;  // rays above one another go on where the last one ended
   int retrace = 0;     // voxels to go back before they do
-  // The paper's choices.
-  bool column_azimuth = false;  // the points of an upright line walk one way, and not each its own
-  Face face = Face::box;        // what of a voxel is met
-  bool height_weights = false;  // lines weigh what they see by height, and not by length in the image
+  Weights weights = Weights::area;
 };
 
 // What a stretch of a line sees of one voxel, or of the sky.
@@ -47,7 +57,7 @@ class Look {
   const Manner& manner() const { return manner_; }
 
   // Calls met(k, walk, voxel, direction, slope) or missed(k) for each point.
-  template <bool grid, Face face = Face::box, class Met, class Missed>
+  template <Model model, class Met, class Missed>
   void rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const;
 
   // Calls add(slot, run, walk, voxel, direction, sum) for each visible run of the stretches between cuts (see
@@ -55,7 +65,7 @@ class Look {
   // sees is exact in the vertical plane through its middle (column azimuth: in the plane of its column): along lines
   // through the nadir point that is the plane of the line itself. Error: the line is neither upright nor through the
   // nadir point.
-  template <bool grid, Face face = Face::box, class Add, class Finish>
+  template <Model model, Weights weights = Weights::area, class Add, class Finish>
   void stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters, Add add,
                  Finish finish) const;
 
@@ -67,7 +77,8 @@ class Look {
     return slope < 0 ? std::clamp(top / slope, voxel.x0, voxel.x1) : voxel.x0;
   }
 
-  // The place on the texture of the track's point at distance x over a voxel: on its top, or on the wall at x.
+  // The place on the texture of the track's point at distance x over a voxel: on its top, or on the wall at x. Its
+  // derivatives are those of a ray that goes its own way, whatever the azimuth.
   template <Face face, bool grid>
   moire::SurfacePoint surface_point(const Walk<grid>& walk, const Voxel& voxel, double x, Direction d) const;
 
@@ -75,17 +86,21 @@ class Look {
   // The way over the ground of the column at x in the picture's middle row.
   Direction column_direction(double x) const { return camera_.direction(x, size_.height / 2.0); }
   // The plane in which the ray through a point is followed.
+  template <Azimuth azimuth>
   Plane plane_at(const moire::SamplePoint& point, const Direction& direction) const {
-    if (!manner_.column_azimuth) return plane_of(direction);
+    if (azimuth == Azimuth::pixel) return plane_of(direction);
     const Plane plane = plane_of(column_direction(point.x));
-    return advance(plane, direction) < 0 ? plane_of(-1 * column_direction(point.x)) : plane;
+    return advance<azimuth>(plane, direction) < 0 ? plane_of(-1 * column_direction(point.x)) : plane;
   }
   // How far a ray of this direction goes in the plane in which it is followed, in voxels of p. With the azimuth of its
-  // column, which need not be its own, that is its advance over the ground in the column's direction. Cohen-Or 1997,
-  // eq. 2, divides by the advance in p instead; that shifts rows by up to sin(2 elevation) / 2 times tan(azimuth from
-  // p) times the angle between both azimuths, and pictures of x-major and y-major columns do not meet at 45 degrees.
+  // column, which need not be its own, that is its advance over the ground in the column's direction: rows stay where
+  // they are. Cohen-Or 1997, eq. 2, taken by the letter divides by the advance in p, which raises or lowers a place by
+  // sin(2 elevation) / 2 tan(azimuth from p) times the angle between both azimuths, and tears the picture at 45
+  // degrees. The error of area sampling does not tell which one the paper used: on Puget Sound (relief 30, yaw 20) the
+  // RMSE to the truth is 23.3, 19.1, 7.3 levels at pitch 40, 20, 5 this way, 24.5, 19.3, 7.3 that way.
+  template <Azimuth azimuth>
   double advance(const Plane& plane, const Direction& direction) const {
-    if (!manner_.column_azimuth) return plane.along(direction);
+    if (azimuth == Azimuth::pixel) return plane.along(direction);
     const double ratio =
         plane.swapped ? view_.spacing_x / view_.spacing_y : view_.spacing_y / view_.spacing_x;  // q to p
     const double weight = plane.m * ratio * ratio;
@@ -98,17 +113,17 @@ class Look {
   Manner manner_;
 };
 
-template <bool grid, Face face, class Met, class Missed>
+template <Model model, class Met, class Missed>
 void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const {
-  Walk<grid> walk(view_);
+  Walk<model.grid> walk(view_);
   bool walking = false;
   moire::SamplePoint last;
   counters.queries += points.size();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const moire::SamplePoint& point = points[k];
     const Direction direction = camera_.direction(point.x, point.y);
-    const Plane plane = plane_at(point, direction);
-    const double slope = direction.z / std::max(advance(plane, direction), least_advance);
+    const Plane plane = plane_at<model.azimuth>(point, direction);
+    const double slope = direction.z / std::max(advance<model.azimuth>(plane, direction), least_advance);
 
     const bool resumes = walking && manner_.resume && point.y <= last.y && std::abs(point.x - last.x) <= 1 &&
                          plane.same_octant(walk.plane()) && camera_.rises_upward(point.y) &&
@@ -129,9 +144,9 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
       return false;
     };
     if (slope < 0) {
-      walk.template climb<face, true>(slope, meet);
+      walk.template climb<model.face, true>(slope, meet);
     } else {
-      walk.template climb<face, false>(slope, meet);
+      walk.template climb<model.face, false>(slope, meet);
     }
     if (hit) {
       ++counters.hits;
@@ -144,7 +159,7 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
 // Shorter stretches of an image line, in pixels, are not looked at on their own.
 constexpr double least_stretch = 1e-9;
 
-template <bool grid, Face face, class Add, class Finish>
+template <Model model, Weights weights, class Add, class Finish>
 void Look::stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
                      Add add, Finish finish) const {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
@@ -165,20 +180,21 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   const Direction far_end = std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end;
   const Direction ahead = radial ? far_end : column_direction(from.x);
   const Plane near_side = plane_of(ahead), other_side = plane_of(-1 * ahead);  // of the nadir or zenith point
-  const bool in_one_plane = radial || manner_.column_azimuth;
+  const bool in_one_plane = radial || model.azimuth == Azimuth::column;
   // Where elevation turns: at that point, and on other upright lines at its height.
-  const double turning =
-      in_one_plane ? -advance(near_side, start) / advance(near_side, step) : (nadir.y / nadir.w - from.y) / uy;
+  const double turning = in_one_plane
+                             ? -advance<model.azimuth>(near_side, start) / advance<model.azimuth>(near_side, step)
+                             : (nadir.y / nadir.w - from.y) / uy;
 
-  Walk<grid> walk(view_);
+  Walk<model.grid> walk(view_);
   bool walking = false;
   double reached = 0;  // where the last stretch ended
   const auto look_along = [&](std::size_t slot, double t0, double t1) __attribute__((always_inline)) {
     const Direction direction = start + (t0 + t1) / 2 * step;
-    const Plane plane = !in_one_plane                       ? plane_of(direction)
-                        : advance(near_side, direction) < 0 ? other_side
-                                                            : near_side;
-    const double p0 = advance(plane, start), p1 = advance(plane, step);
+    const Plane plane = !in_one_plane                                      ? plane_of(direction)
+                        : advance<model.azimuth>(near_side, direction) < 0 ? other_side
+                                                                           : near_side;
+    const double p0 = advance<model.azimuth>(plane, start), p1 = advance<model.azimuth>(plane, step);
     const auto slope_at = [&](double t) { return (start.z + t * step.z) / std::max(p0 + t * p1, least_advance); };
     double s0 = slope_at(t0), s1 = slope_at(t1);
     // Positions on the line, turned where elevation falls along it, so that they rise with the slope.
@@ -197,7 +213,7 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
 
     double at = turn * t0;
     moire::Tally::Sum sum;
-    const auto deposit = [&](double until, double rise, const Voxel* voxel) __attribute__((always_inline)) {
+    const auto deposit = [&](double until, const Voxel* voxel, double rise = 0) __attribute__((always_inline)) {
       if (until > at) add(slot, Run{until - at, rise}, walk, voxel, direction, sum);
       at = until;
     };
@@ -208,28 +224,29 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
       last_p = voxel.p;
       last_q = voxel.q;
       const double top = voxel.cell->height - view_.z;
-      const auto edge = [&](bool far_one) { return face == Face::box && far_one ? voxel.x1 : voxel.x0; };
-      if (const double x = edge(descends || s1 < 0); top >= s1 * x) {
-        deposit(end_at, (s1 - slope) * edge(top < 0), &voxel);
+      constexpr bool boxes = model.face == Face::box;
+      if (top >= s1 * (boxes && (descends || s1 < 0) ? voxel.x1 : voxel.x0)) {
+        const double x = boxes && top < 0 ? voxel.x1 : voxel.x0;
+        deposit(end_at, &voxel, weights == Weights::area ? 0 : (s1 - slope) * x);
         return false;
       }
       // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near one.
-      const double x = edge(descends || top < 0);
+      const double x = boxes && (descends || top < 0) ? voxel.x1 : voxel.x0;
       const double until = (top * turned_p0 - turned_z * x) / (step.z * x - top * p1);
-      deposit(std::min(std::max(until, at), end_at), top - slope * x, &voxel);
+      deposit(std::min(std::max(until, at), end_at), &voxel, weights == Weights::area ? 0 : top - slope * x);
       slope = std::min(top / x, s1);
       return true;
     };
     if (s1 < 0) {
-      walk.template climb<face, true>(
+      walk.template climb<model.face, true>(
           s0, [&](const Voxel& voxel, double& slope)
                   __attribute__((always_inline)) { return see(std::true_type{}, voxel, slope); });
     } else {
-      walk.template climb<face, false>(
+      walk.template climb<model.face, false>(
           s0, [&](const Voxel& voxel, double& slope)
                   __attribute__((always_inline)) { return see(std::false_type{}, voxel, slope); });
     }
-    if (at != end_at) deposit(end_at, 0, nullptr);
+    if (at != end_at) deposit(end_at, nullptr);
     finish(slot, sum);
     ++counters.queries;
     counters.hits += hits;

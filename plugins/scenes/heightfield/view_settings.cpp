@@ -49,12 +49,12 @@ View view_of(const moire::Settings& settings, const Voxels& voxels, const Camera
 }
 
 Manner manner_of(const moire::Settings& settings) {
-  return {.grid = settings.text("walk") == "grid",
+  return {.model = {.grid = settings.text("walk") == "grid",
+                    .azimuth = settings.text("azimuth") == "pixel" ? Azimuth::pixel : Azimuth::column,
+                    .face = settings.text("face") == "box" ? Face::box : Face::near},
           .resume = settings.text("coherence") == "resume",
           .retrace = static_cast<int>(settings.integer("retrace")),
-          .column_azimuth = settings.text("azimuth") == "column",
-          .face = settings.text("face") == "box" ? Face::box : Face::near,
-          .height_weights = settings.text("weights") == "height"};
+          .weights = settings.text("weights") == "area" ? Weights::area : Weights::height};
 }
 
 }  // namespace heightfield
