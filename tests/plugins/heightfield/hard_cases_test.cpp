@@ -1,17 +1,21 @@
-// Hard cases of the scene `heightfield`, each with its outcome. What stands elsewhere:
+// Hard cases of the scene `heightfield`, each with its outcome. Where the others stand:
 //
-//   positions and heights added up step by step      drift_test: what it would cost, and that ours do not drift
-//   far from the origin                              drift_test (single precision); here, 1e7 voxels off
-//   eye on a grid line or vertex, yaw 0, 45, 90 ...  trace_test, lines_test (awkward_views); here, moved by 1e-9
-//   pitch 0, looking up, steep, down to the nadir    trace_test, lines_test, upright_lines_test (all_views)
-//   fields of view of 170 and 0.01 degrees           trace_test (awkward_views); here, 1 and 120
-//   eye near, on, in the ground                      trace_test (awkward_views); here, what is seen from within
-//   nadir in the picture                             lines_test: "seen the other way beyond it"
-//   far limit within a voxel, of a few, long         trace_test, lines_test (awkward_views), counters_test, resume_test
-//   far limit of 0, and none                         here
-//   equal heights, flat tops edge-on, no area        trace_test ("equal heights"); here
-//   maps of one row, column or voxel                 trace_test
-//   heights that are no numbers                      here
+//   positions and heights added up step by step, in float,   drift_test: what it would cost, and that ours do not drift
+//   fixed point or double; single precision far off
+//   1e7 voxels from the origin                               here
+//   eye on a grid line, on a vertex, yaw 0, 45, 90 ...       trace_test, lines_test (awkward_views)
+//   the same moved by 1e-9; the side rule of grid lines      here; trace_test "rays along a grid line"
+//   pitch 0, upward, steep, fields of view of 10 to 100      trace_test, lines_test, upright_lines_test (all_views)
+//   fields of view of .01 and 170 degrees; 1 and 120         trace_test (awkward_views); here
+//   eye at the height of the ground                          trace_test "equal heights"
+//   eye just above, on, in the ground                        trace_test, lines_test (awkward_views); here
+//   pitch -90, nadir in the picture                          trace_test (awkward_views), lines_test "the other way"
+//   far limit: a horizontal distance, the same for both      trace_test, lines_test (awkward_views), resume_test "flat
+//   major axes; within a voxel, of a few, long               ground", counters_test
+//   far limit of 0, and as good as none                      here
+//   flat tops edge-on, voxels of no area                     here
+//   maps of one row, column or voxel                         trace_test
+//   heights that are no finite numbers                       here
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>

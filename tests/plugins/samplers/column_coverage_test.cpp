@@ -99,6 +99,25 @@ TEST_CASE("against the column, points see less the fewer they are, and nothing t
   CHECK(last > 0.9);
 }
 
+TEST_CASE("with the azimuth of the column, points on it see nothing that the column does not") {
+  const Map map = usual_map();
+  const SmallTerrain terrain(map);
+  const auto points = sampler("supersample", {{"n", std::int64_t{8}}});
+  int leaks_without = 0;
+  for (const View& view : plain_views()) {
+    const auto leak = [&](const char* azimuth, const char* face) {
+      const auto values = column_coverage(
+          *points, *terrain.frame(view, {{"azimuth", std::string(azimuth)}, {"face", std::string(face)}}));
+      return values.at("coverage.visible") == 0 ? 0 : values.at("coverage.leak");
+    };
+    CAPTURE(view.caption);
+    CHECK(leak("column", "box") <= 1e-12);
+    CHECK(leak("column", "near") <= 1e-12);
+    leaks_without += leak("pixel", "box") > 1e-3 ? 1 : 0;
+  }
+  CHECK(leaks_without > 10);
+}
+
 TEST_CASE("area sampling on a column finds what 64 rays a pixel see, and they find all of its larger fragments") {
   constexpr int places = 64;
   const Map map = usual_map();
