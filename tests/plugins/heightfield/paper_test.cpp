@@ -339,6 +339,64 @@ TEST_CASE(
   CHECK(differ > stretches / 20);
 }
 
+TEST_CASE("with the azimuth of its column, a hit lies under the ray turned into that direction, on top or wall") {
+  const Map map = usual_map();
+  const SmallTerrain terrain(map);
+  for (const char* face : {"box", "near"}) {
+    int tops = 0, hits = 0;
+    for (const View& view : paper_views()) {
+      if (std::abs(view.x) > 1e5) continue;  // too few digits for places to 1e-8
+      Changes changes = only("azimuth", "column");
+      changes.push_back({"face", std::string(face)});
+      const auto frame = terrain.frame(view, changes);
+      for (int x = 0; x < view.size.width; ++x) {
+        for (int y = 0; y < view.size.height; ++y) {
+          CAPTURE(face, view.caption, x, y);
+          const SamplePoint at{x + 0.5, y + 0.5};
+          SurfacePoint point;
+          Counters counters;
+          frame->surface()->locate(std::span(&at, 1), std::span(&point, 1), counters);
+          if (!point.textured) continue;
+          ++hits;
+          const Ray ray = in_column(view, at.x, at.y);
+          const double advance = std::hypot(ray.x, ray.y), east = point.s - view.x, south = point.t - view.y;
+          REQUIRE(std::abs(east * ray.y - south * ray.x) <= 1e-8 * advance);
+          const TexelIndex texel = texel_index(point.hit.element);
+          const double ray_height = view.z + ray.z * std::hypot(east, south) / advance;
+          const double above = ray_height - map.height(texel.i, texel.j);
+          // By a side of the voxel, up to the ray's fall over the 1e-9 that a place is kept away from it, or on its
+          // top.
+          const bool by_side =
+              std::abs(point.s - std::round(point.s)) < 1e-8 || std::abs(point.t - std::round(point.t)) < 1e-8;
+          REQUIRE(above <= 1e-7);
+          if (!by_side) REQUIRE(std::abs(above) <= 1e-7);
+          tops += by_side ? 0 : 1;
+        }
+      }
+    }
+    CHECK(hits > 1'000);
+    CHECK((face == std::string("near") ? tops == 0 : tops > 300));
+  }
+}
+
+TEST_CASE("weights sum to 1 with all choices, from awkward places and on radial lines too") {
+  const Map map = usual_map();
+  const SmallTerrain terrain(map);
+  for (const View& view : awkward_views(map)) {
+    CAPTURE(view.caption, view.yaw);
+    Changes changes = all_choices();
+    changes.push_back({"levels", std::string("round")});
+    const auto frame = terrain.frame(view, changes);
+    for (const char* layout : {"upright", "radial"}) {
+      const Rendered image = rendered(*sampler("area", {{"layout", std::string(layout)}}), *frame);
+      CHECK(std::all_of(image.pixels.begin(), image.pixels.end(), [](const Content& pixel) {
+        return std::abs(pixel.weight - 1) <= 1e-12 && std::all_of(pixel.fragments.begin(), pixel.fragments.end(),
+                                                                  [](const Fragment& f) { return f.weight > 0; });
+      }));
+    }
+  }
+}
+
 TEST_CASE("an eye within the ground sees its own voxel with every choice") {
   const Map map = flat_map(4, 4, 5);
   const SmallTerrain terrain(map);
