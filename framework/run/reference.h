@@ -25,7 +25,7 @@ ReferenceChoice best_reference(const Catalog& catalog, Questions answered);
 Settings exact_settings(const ScenePlugin& scene, Settings settings);
 
 struct Reference {
-  std::string recipe;  // "area[lines=32,layout=radial]; walk=grid, hierarchy=false"
+  std::string recipe;  // "area[lines=32,layout=radial]; walk=grid, levels=none"
   Picture picture;
   double error = 0;  // rmse in levels, linear light; NaN: unknown
   std::string how;   // how `error` was got

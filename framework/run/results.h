@@ -28,7 +28,7 @@ struct Row {
 struct SceneResult {
   std::string name, type, version;
   nlohmann::ordered_json settings;
-  std::string reference;  // recipe: "area[method=line,lines=32,layout=radial], hierarchy=false"
+  std::string reference;  // recipe: "area[method=line,lines=32,layout=radial], levels=none"
   double reference_error = std::numeric_limits<double>::quiet_NaN();  // rmse, in units of error.rmse; NaN: no reference
   std::string reference_error_how;                                    // how that number was got, one sentence
   std::filesystem::path reference_image;                              // below the result folder; empty if none

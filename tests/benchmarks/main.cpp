@@ -123,7 +123,7 @@ int main() {
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
   fmt::print(
-      "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, hierarchy on.\n",
+      "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
       benchmark::rounds);
   for (const benchmark::TerrainView& view : benchmark::views) {
     fmt::print("  pitch {}\n", view.pitch_deg);

@@ -10,6 +10,8 @@ namespace moire::benchmark {
 
 namespace {
 
+constexpr heightfield::Model model{.grid = false};
+
 heightfield::Look look_of(const Settings& settings, const heightfield::Voxels& voxels, ImageSize size) {
   const heightfield::Camera camera = heightfield::camera_of(settings, size);
   return {size, heightfield::view_of(settings, voxels, camera), camera, heightfield::manner_of(settings)};
@@ -28,7 +30,7 @@ Settings terrain_settings(const Catalog& catalog, const TerrainView& view) {
   settings.set("height_offset", 150.0);
   settings.set("far", 30000.0);
   settings.set("walk", std::string("major"));
-  settings.set("hierarchy", true);
+  settings.set("levels", std::string("floor"));
   settings.set("view.x", 512.3);
   settings.set("view.y", 511.6);
   settings.set("view.height", view.height);
@@ -57,7 +59,7 @@ void OnePiece::point(PixelBlock& block) const {
     for (std::size_t k = 0; k < points.size(); ++k) points[k] = {x + 0.5, block.height - 0.5 - static_cast<double>(k)};
     const std::size_t bottom = block.slot(x, block.height - 1);
     block.fill([&](auto add) {
-      look_.rays<false>(
+      look_.rays<model>(
           points, block.counters,
           [&](std::size_t k, const auto& walk, const heightfield::Voxel& voxel, const auto&, double) {
             add(bottom - k, walk.element(voxel), 1.0, heightfield::color_of(*voxel.cell));
@@ -73,13 +75,13 @@ void OnePiece::area(PixelBlock& block) const {
   for (int x = block.x0; x < block.x0 + block.width; ++x) {
     const std::size_t bottom = block.slot(x, block.height - 1);
     block.fill([&](auto add) {
-      look_.stretches<false>(
+      look_.stretches<model>(
           {x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts, block.counters,
-          [&](std::size_t slot, double weight, const auto& walk, const heightfield::Voxel* voxel, const auto&,
+          [&](std::size_t slot, heightfield::Run run, const auto& walk, const heightfield::Voxel* voxel, const auto&,
               Tally::Sum& sum) {
             const Color color = voxel ? heightfield::color_of(*voxel->cell) : sky_;
-            sum.add(weight, color);
-            add.record(bottom - slot, voxel ? walk.element(*voxel) : background, weight, color);
+            sum.add(run.length, color);
+            add.record(bottom - slot, voxel ? walk.element(*voxel) : background, run.length, color);
           },
           [&](std::size_t slot, const Tally::Sum& sum) { add.sum(bottom - slot, sum); });
     });

@@ -14,7 +14,7 @@ struct TerrainView {
 };
 inline constexpr TerrainView views[] = {{40, 2800}, {20, 1300}, {5, 1000}};
 
-// 400 x 400 pixels, field of view 10 degrees, yaw 20, far limit 30,000, hierarchy on, one voxel a step.
+// 400 x 400 pixels, field of view 10 degrees, yaw 20, far limit 30,000, levels floor, one voxel a step.
 Settings terrain_settings(const Catalog& catalog, const TerrainView& view);
 
 std::unique_ptr<Contender> contender(const Catalog& catalog, const std::string& type,

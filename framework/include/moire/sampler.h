@@ -37,6 +37,9 @@ class Sampler {
   virtual std::unique_ptr<Rendering> begin(const RenderRequest& request) const = 0;
 };
 
+// Where points on a pixel's lower edge lie in it: the last place above the next pixel.
+inline constexpr double lower_edge = 1 - 0x1p-53;
+
 // The points of one pixel.
 class Points {
  public:

@@ -1,4 +1,9 @@
 // Regular supersampling: SS_n of Cohen-Or 1997 (n points above one another), or an n x n grid.
+//
+// The paper spaces the n rays of a pixel by equal heights above the voxel that the first one hits, and lets them keep
+// its slope; here they are equally spaced in the image, each with its own slope.
+#include <algorithm>
+
 #include <moire/plugin.h>
 
 namespace {
@@ -8,19 +13,22 @@ using namespace moire::parameter;
 constexpr moire::Parameter parameters[] = {
     integer("n", 4, 1, 256, "points", "points of a column, or of a grid's side"),
     choice("layout", "column", "column grid", "n points above one another, or n x n"),
+    choice("rays", "centre", "centre lower_edge", "a point lies in the middle of its row, or on its lower edge"),
 };
 
 class Supersample final : public moire::PointSampler {
  public:
   explicit Supersample(const moire::Settings& settings)
-      : rows_(settings.integer("n")), columns_(settings.text("layout") == "grid" ? rows_ : 1) {}
+      : rows_(settings.integer("n")),
+        columns_(settings.text("layout") == "grid" ? rows_ : 1),
+        down_(settings.text("rays") == "centre" ? 0.5 : 1) {}
 
-  // Each point stands for a cell of equal size and lies in its middle.
+  // Each point stands for a cell of equal size and lies in its middle, or in that of its lower edge.
   void points(const moire::Pixel&, moire::Points& out) const override {
     for (std::int64_t i = 0; i < columns_; ++i) {
       for (std::int64_t j = 0; j < rows_; ++j) {
         out.add((static_cast<double>(i) + 0.5) / static_cast<double>(columns_),
-                (static_cast<double>(j) + 0.5) / static_cast<double>(rows_));
+                std::min((static_cast<double>(j) + down_) / static_cast<double>(rows_), moire::lower_edge));
       }
     }
   }
@@ -28,6 +36,7 @@ class Supersample final : public moire::PointSampler {
 
  private:
   std::int64_t rows_, columns_;
+  double down_;  // of a cell, from its upper edge
 };
 
 }  // namespace

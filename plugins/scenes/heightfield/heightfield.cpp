@@ -25,7 +25,9 @@ constexpr moire::Parameter parameters[] = {
     real("height_scale", 1, -1e9, 1e9, "units", "height for a step of one in the image's numbers"),
     real("height_exponent", 1, 1e-3, 1e3, "", "bends heights between the lowest and the highest: 2 flattens lowlands"),
     real("height_offset", 0, -1e9, 1e9, "units", "added to all heights"),
-    real("far", 4000, 0, 1e9, "units", "horizontal distance from the camera where the terrain ends").per_frame(),
+    real("far", 4000, 0, 1e9, "units",
+         "horizontal distance from the camera where the terrain ends; 0: none, 1e9: as good as endless")
+        .per_frame(),
     color("sky", "#b8d4f0", "colour where no terrain is seen").per_frame(),
     choice("walk", "grid", "grid major", "visit every voxel under a ray, or one a step along its major axis")
         .per_frame()
@@ -33,12 +35,27 @@ constexpr moire::Parameter parameters[] = {
     choice("coherence", "resume", "none resume", "a ray goes on where the one below it ended, or starts afresh")
         .per_frame(),
     integer("retrace", 0, 0, 1 << 20, "voxels", "how far a resuming ray goes back first").per_frame(),
-    flag("hierarchy", false, "walk over mean voxels as wide as a pixel's footprint").per_frame().exact_when("false"),
-    real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, rounded down to a power of two")
-        .per_frame(),
+    choice("azimuth", "pixel", "pixel column",
+           "points and upright lines look each pixel's own way, or that of their column in the middle row")
+        .per_frame()
+        .exact_when("pixel"),
+    choice("face", "box", "box near", "of a voxel its box is seen, or a thin wall on its near side")
+        .per_frame()
+        .exact_when("box"),
+    choice("weights", "area", "area height",
+           "what lines see is weighed by its length in the image, or by its height where it stands")
+        .per_frame()
+        .exact_when("area"),
+    choice("levels", "none", "none floor round",
+           "walk over mean voxels of a power-of-two width: level_constant times a pixel's footprint, rounded")
+        .per_frame()
+        .exact_when("none"),
+    real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, before it is rounded").per_frame(),
     real("view.x", 512, -1e9, 1e9, "units", "camera, eastward from the north-west corner").per_frame(),
     real("view.y", 980, -1e9, 1e9, "units", "camera, southward from the north-west corner").per_frame(),
-    real("view.height", 120, -1e9, 1e9, "units", "camera above datum, where heights are 0").per_frame(),
+    real("view.height", 120, -1e9, 1e9, "units",
+         "camera above datum, where heights are 0; below the top of its voxel it sees that voxel alone")
+        .per_frame(),
     real("view.yaw_deg", -90, -1e6, 1e6, "degrees", "direction of view: 0 east, 90 south").per_frame(),
     real("view.pitch_deg", -14, -90, 90, "degrees", "direction of view above the horizontal").per_frame(),
     real("view.fov_deg", 50, 0.01, 170, "degrees", "angle of view across the width of the image").per_frame(),

@@ -17,11 +17,31 @@
 
 namespace heightfield {
 
-// How a frame walks.
+// The way that a ray goes over the ground: its own, or that of its column in the picture's middle row.
+enum class Azimuth { pixel, column };
+
+// What rays meet. Compiled into the loops.
+struct Model {
+  bool grid = true;  // every voxel under a ray, or one a step along its major axis
+  Azimuth azimuth = Azimuth::pixel;
+  Face face = Face::box;
+};
+
+// What lines weigh what they see by: its length in the image, or its height where it stands.
+enum class Weights { area, height };
+
+// How a frame looks.
 struct Manner {
-  bool grid = true;    // every voxel under a ray, or one a step along its major axis
+  Model model;
   bool resume = true;  // rays above one another go on where the last one ended
   int retrace = 0;     // voxels to go back before they do
+  Weights weights = Weights::area;
+};
+
+// What a stretch of a line sees of one voxel, or of the sky.
+struct Run {
+  double length;  // in the image, in pixels
+  double rise;    // of what is seen, in the heights' unit at the distance of the edge that ends the voxel; of the sky 0
 };
 
 inline moire::Color color_of(const Cell& cell) { return {cell.rgb[0], cell.rgb[1], cell.rgb[2]}; }
@@ -37,45 +57,73 @@ class Look {
   const Manner& manner() const { return manner_; }
 
   // Calls met(k, walk, voxel, direction, slope) or missed(k) for each point.
-  template <bool grid, class Met, class Missed>
+  template <Model model, class Met, class Missed>
   void rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const;
 
-  // Calls add(slot, weight, walk, voxel, direction, sum) for each visible run of the stretches between cuts (see
+  // Calls add(slot, run, walk, voxel, direction, sum) for each visible run of the stretches between cuts (see
   // moire::Lines), voxel null for the sky, and finish(slot, sum) after each stretch; `sum` begins empty. What a stretch
-  // sees is exact in the vertical plane through its middle: along lines through the nadir point that is the plane of
-  // the line itself. Error: the line is neither upright nor through the nadir point.
-  template <bool grid, class Add, class Finish>
+  // sees is exact in the vertical plane through its middle (column azimuth: in the plane of its column): along lines
+  // through the nadir point that is the plane of the line itself. Error: the line is neither upright nor through the
+  // nadir point.
+  template <Model model, Weights weights = Weights::area, class Add, class Finish>
   void stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters, Add add,
                  Finish finish) const;
 
   // Where a ray of this slope, which rises above nothing before, meets the voxel's box: its near wall or its top.
+  template <Face face>
   double meeting(const Voxel& voxel, double slope) const {
+    if (face == Face::near) return voxel.x0;
     const double top = voxel.cell->height - view_.z;
     return slope < 0 ? std::clamp(top / slope, voxel.x0, voxel.x1) : voxel.x0;
   }
 
-  // The place on the texture of the track's point at distance x over a voxel.
-  template <bool grid>
+  // The place on the texture of the track's point at distance x over a voxel: on its top, or on the wall at x. Its
+  // derivatives are those of a ray that goes its own way, whatever the azimuth.
+  template <Face face, bool grid>
   moire::SurfacePoint surface_point(const Walk<grid>& walk, const Voxel& voxel, double x, Direction d) const;
 
  private:
+  // The way over the ground of the column at x in the picture's middle row.
+  Direction column_direction(double x) const { return camera_.direction(x, size_.height / 2.0); }
+  // The plane in which the ray through a point is followed.
+  template <Azimuth azimuth>
+  Plane plane_at(const moire::SamplePoint& point, const Direction& direction) const {
+    if (azimuth == Azimuth::pixel) return plane_of(direction);
+    const Plane plane = plane_of(column_direction(point.x));
+    return advance<azimuth>(plane, direction) < 0 ? plane_of(-1 * column_direction(point.x)) : plane;
+  }
+  // How far a ray of this direction goes in the plane in which it is followed, in voxels of p. With the azimuth of its
+  // column, which need not be its own, that is its advance over the ground in the column's direction: rows stay where
+  // they are. Cohen-Or 1997, eq. 2, taken by the letter divides by the advance in p, which raises or lowers a place by
+  // sin(2 elevation) / 2 tan(azimuth from p) times the angle between both azimuths, and tears the picture at 45
+  // degrees. The error of area sampling does not tell which one the paper used: on Puget Sound (relief 30, yaw 20) the
+  // RMSE to the truth is 23.3, 19.1, 7.3 levels at pitch 40, 20, 5 this way, 24.5, 19.3, 7.3 that way.
+  template <Azimuth azimuth>
+  double advance(const Plane& plane, const Direction& direction) const {
+    if (azimuth == Azimuth::pixel) return plane.along(direction);
+    const double ratio =
+        plane.swapped ? view_.spacing_x / view_.spacing_y : view_.spacing_y / view_.spacing_x;  // q to p
+    const double weight = plane.m * ratio * ratio;
+    return (plane.along(direction) + weight * plane.across(direction)) / (1 + weight * plane.m);
+  }
+
   moire::ImageSize size_;
   View view_;
   Camera camera_;
   Manner manner_;
 };
 
-template <bool grid, class Met, class Missed>
+template <Model model, class Met, class Missed>
 void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const {
-  Walk<grid> walk(view_);
+  Walk<model.grid> walk(view_);
   bool walking = false;
   moire::SamplePoint last;
   counters.queries += points.size();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const moire::SamplePoint& point = points[k];
     const Direction direction = camera_.direction(point.x, point.y);
-    const Plane plane = plane_of(direction);
-    const double slope = direction.z / std::max(plane.along(direction), least_advance);
+    const Plane plane = plane_at<model.azimuth>(point, direction);
+    const double slope = direction.z / std::max(advance<model.azimuth>(plane, direction), least_advance);
 
     const bool resumes = walking && manner_.resume && point.y <= last.y && std::abs(point.x - last.x) <= 1 &&
                          plane.same_octant(walk.plane()) && camera_.rises_upward(point.y) &&
@@ -96,9 +144,9 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
       return false;
     };
     if (slope < 0) {
-      walk.template climb<true>(slope, meet);
+      walk.template climb<model.face, true>(slope, meet);
     } else {
-      walk.template climb<false>(slope, meet);
+      walk.template climb<model.face, false>(slope, meet);
     }
     if (hit) {
       ++counters.hits;
@@ -111,7 +159,7 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
 // Shorter stretches of an image line, in pixels, are not looked at on their own.
 constexpr double least_stretch = 1e-9;
 
-template <bool grid, class Add, class Finish>
+template <Model model, Weights weights, class Add, class Finish>
 void Look::stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
                      Add add, Finish finish) const {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
@@ -130,17 +178,23 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   }
   const Direction end = start + length * step;
   const Direction far_end = std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end;
-  const Plane near_side = plane_of(far_end), other_side = plane_of(-1 * far_end);  // of the nadir or zenith point
+  const Direction ahead = radial ? far_end : column_direction(from.x);
+  const Plane near_side = plane_of(ahead), other_side = plane_of(-1 * ahead);  // of the nadir or zenith point
+  const bool in_one_plane = radial || model.azimuth == Azimuth::column;
   // Where elevation turns: at that point, and on other upright lines at its height.
-  const double turning = radial ? -near_side.along(start) / near_side.along(step) : (nadir.y / nadir.w - from.y) / uy;
+  const double turning = in_one_plane
+                             ? -advance<model.azimuth>(near_side, start) / advance<model.azimuth>(near_side, step)
+                             : (nadir.y / nadir.w - from.y) / uy;
 
-  Walk<grid> walk(view_);
+  Walk<model.grid> walk(view_);
   bool walking = false;
   double reached = 0;  // where the last stretch ended
   const auto look_along = [&](std::size_t slot, double t0, double t1) __attribute__((always_inline)) {
     const Direction direction = start + (t0 + t1) / 2 * step;
-    const Plane plane = !radial ? plane_of(direction) : near_side.along(direction) < 0 ? other_side : near_side;
-    const double p0 = plane.along(start), p1 = plane.along(step);
+    const Plane plane = !in_one_plane                                      ? plane_of(direction)
+                        : advance<model.azimuth>(near_side, direction) < 0 ? other_side
+                                                                           : near_side;
+    const double p0 = advance<model.azimuth>(plane, start), p1 = advance<model.azimuth>(plane, step);
     const auto slope_at = [&](double t) { return (start.z + t * step.z) / std::max(p0 + t * p1, least_advance); };
     double s0 = slope_at(t0), s1 = slope_at(t1);
     // Positions on the line, turned where elevation falls along it, so that they rise with the slope.
@@ -159,8 +213,8 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
 
     double at = turn * t0;
     moire::Tally::Sum sum;
-    const auto deposit = [&](double until, const Voxel* voxel) __attribute__((always_inline)) {
-      if (until > at) add(slot, until - at, walk, voxel, direction, sum);
+    const auto deposit = [&](double until, const Voxel* voxel, double rise = 0) __attribute__((always_inline)) {
+      if (until > at) add(slot, Run{until - at, rise}, walk, voxel, direction, sum);
       at = until;
     };
     std::uint64_t hits = 0;
@@ -170,23 +224,25 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
       last_p = voxel.p;
       last_q = voxel.q;
       const double top = voxel.cell->height - view_.z;
-      if (top >= s1 * (descends || s1 < 0 ? voxel.x1 : voxel.x0)) {
-        deposit(end_at, &voxel);
+      constexpr bool boxes = model.face == Face::box;
+      if (top >= s1 * (boxes && (descends || s1 < 0) ? voxel.x1 : voxel.x0)) {
+        const double x = boxes && top < 0 ? voxel.x1 : voxel.x0;
+        deposit(end_at, &voxel, weights == Weights::area ? 0 : (s1 - slope) * x);
         return false;
       }
       // The image of the edge that ends what is seen of the box: the far one of a top below the eye, else the near one.
-      const double x = descends || top < 0 ? voxel.x1 : voxel.x0;
+      const double x = boxes && (descends || top < 0) ? voxel.x1 : voxel.x0;
       const double until = (top * turned_p0 - turned_z * x) / (step.z * x - top * p1);
-      deposit(std::min(std::max(until, at), end_at), &voxel);
+      deposit(std::min(std::max(until, at), end_at), &voxel, weights == Weights::area ? 0 : top - slope * x);
       slope = std::min(top / x, s1);
       return true;
     };
     if (s1 < 0) {
-      walk.template climb<true>(
+      walk.template climb<model.face, true>(
           s0, [&](const Voxel& voxel, double& slope)
                   __attribute__((always_inline)) { return see(std::true_type{}, voxel, slope); });
     } else {
-      walk.template climb<false>(
+      walk.template climb<model.face, false>(
           s0, [&](const Voxel& voxel, double& slope)
                   __attribute__((always_inline)) { return see(std::false_type{}, voxel, slope); });
     }
@@ -209,13 +265,14 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   }
 }
 
-template <bool grid>
+template <Face face, bool grid>
 moire::SurfacePoint Look::surface_point(const Walk<grid>& walk, const Voxel& voxel, double x, Direction d) const {
   const moire::TexelIndex at = walk.index(voxel);
   const double width = std::ldexp(1.0, at.level), inset = width * 1e-9;
   const Plane& plane = walk.plane();
   const double p = plane.flip_p ? -x : x;
   const double q = plane.flip_q ? -x * plane.m : x * plane.m;
+  const double east = plane.swapped ? q : p, south = plane.swapped ? p : q;  // of the eye
   const auto inside = [&](double coordinate, std::int64_t texel) {
     const double low = static_cast<double>(texel) * width;
     return std::clamp(coordinate, low + inset, low + width - inset);
@@ -224,15 +281,19 @@ moire::SurfacePoint Look::surface_point(const Walk<grid>& walk, const Voxel& vox
   point.hit = {walk.element(voxel), color_of(*voxel.cell)};
   point.textured = true;
   point.level = at.level;
-  point.s = inside(view_.x + (plane.swapped ? q : p), at.i);
-  point.t = inside(view_.y + (plane.swapped ? p : q), at.j);
+  point.s = inside(view_.x + east, at.i);
+  point.t = inside(view_.y + south, at.j);
 
-  // How the ray's meeting point with the horizontal plane at this height moves.
-  const double top = voxel.cell->height - view_.z;
-  if (d.z != 0) {
+  // How the ray's meeting point with a plane moves: the horizontal one at this height, or that of a near wall.
+  const bool across_x = walk.enters_along_p(voxel) != plane.swapped;
+  const auto distance = [&](const Direction& v) {  // from the eye, of a direction: towards that plane
+    return face == Face::box ? v.z : across_x ? v.x : v.y;
+  };
+  const double reach = face == Face::box ? voxel.cell->height - view_.z : across_x ? east : south;
+  if (distance(d) != 0) {
     const auto moved = [&](const Direction& change, float& ds, float& dt) {
-      ds = static_cast<float>(top / d.z * (change.x - d.x / d.z * change.z));
-      dt = static_cast<float>(top / d.z * (change.y - d.y / d.z * change.z));
+      ds = static_cast<float>(reach / distance(d) * (change.x - d.x / distance(d) * distance(change)));
+      dt = static_cast<float>(reach / distance(d) * (change.y - d.y / distance(d) * distance(change)));
     };
     moved(camera_.right(), point.ds_dx, point.dt_dx);
     moved(camera_.down(), point.ds_dy, point.dt_dy);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <moire/error.h>
 #include <moire/image.h>
@@ -69,12 +70,20 @@ Terrain read_terrain(const moire::Settings& settings) {
 }
 
 // offset + scale (low + (high - low) u^exponent), u the height's place between the lowest and the highest.
-void scale_heights(std::vector<float>& heights, double scale, double exponent, double offset) {
+// Error: the result is no finite float.
+void scale_heights(std::vector<float>& heights, int width, double scale, double exponent, double offset) {
   const auto [low_at, high_at] = std::minmax_element(heights.begin(), heights.end());
   const double low = *low_at, range = *high_at - low;
-  for (float& height : heights) {
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    const double height = heights[k];
     const double bent = range > 0 && exponent != 1 ? low + range * std::pow((height - low) / range, exponent) : height;
-    height = static_cast<float>(offset + scale * bent);
+    const double scaled = offset + scale * bent;
+    if (!(std::abs(scaled) <= std::numeric_limits<float>::max())) {
+      const auto columns = static_cast<std::size_t>(width);
+      throw moire::Error("heightfield: the height of column " + std::to_string(k % columns) + ", row " +
+                         std::to_string(k / columns) + " is beyond 3.4e38 once scaled; give a smaller height_scale");
+    }
+    heights[k] = static_cast<float>(scaled);
   }
 }
 
@@ -110,7 +119,7 @@ Terrain load_terrain(const moire::Settings& settings) {
                         ? fractal(static_cast<int>(settings.integer("size")),
                                   static_cast<std::uint64_t>(settings.integer("seed")), settings.real("relief"))
                         : read_terrain(settings);
-  scale_heights(terrain.heights, settings.real("height_scale"), settings.real("height_exponent"),
+  scale_heights(terrain.heights, terrain.width, settings.real("height_scale"), settings.real("height_exponent"),
                 settings.real("height_offset"));
   return terrain;
 }

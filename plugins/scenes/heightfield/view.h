@@ -12,7 +12,10 @@ struct View {
   const Voxels* voxels = nullptr;
   double x = 0, y = 0, z = 0;           // the eye: voxels from the map's corner, and height in the heights' unit
   double spacing_x = 1, spacing_y = 1;  // world units a voxel
-  double far = 0;                       // world units, horizontally from the eye
+  // World units, horizontally from the eye. At the largest, 1e9, the ground is as good as endless: a ray ends where it
+  // meets the ground or nothing can rise above it any more, and what lies farther, within height / 1e9 of the horizon,
+  // is sky. Without levels a line walks every voxel as far as that where it touches the horizon.
+  double far = 0;
   std::vector<double> level_starts = {
       0};  // horizontal distance in world units where each level of the hierarchy begins
 };

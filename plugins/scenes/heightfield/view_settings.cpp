@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace heightfield {
 
@@ -12,15 +13,18 @@ double spacing_y(const moire::Settings& settings) {
   return given > 0 ? given : settings.real("spacing");
 }
 
-// Level l begins where a pixel's footprint is 2^l / level_constant voxels wide: at the slant distance, to the ground at
-// its mean height, of 2^l spacing / (level_constant pixel_angle).
+// Level l begins where level_constant times a pixel's footprint is 2^l voxels wide, or 2^(l - 1/2) where it is rounded
+// to the nearest level: at the slant distance, to the ground at its mean height, of that over level_constant and
+// pixel_angle.
 std::vector<double> level_starts(const Voxels& voxels, const Camera& camera, const moire::Settings& settings) {
   std::vector<double> starts{0};
-  if (!settings.flag("hierarchy")) return starts;
+  const std::string& rule = settings.text("levels");
+  if (rule == "none") return starts;
   const double drop = settings.real("view.height") - voxels.mean_height();
   const double spacing = std::sqrt(settings.real("spacing") * spacing_y(settings));
+  const double least = rule == "round" ? spacing / std::numbers::sqrt2 : spacing;
   for (int l = 1; l < voxels.levels(); ++l) {
-    const double slant = std::ldexp(spacing, l) / (settings.real("level_constant") * camera.pixel_angle());
+    const double slant = std::ldexp(least, l) / (settings.real("level_constant") * camera.pixel_angle());
     starts.push_back(std::sqrt(std::max(0.0, slant * slant - drop * drop)));
   }
   return starts;
@@ -45,8 +49,12 @@ View view_of(const moire::Settings& settings, const Voxels& voxels, const Camera
 }
 
 Manner manner_of(const moire::Settings& settings) {
-  return {settings.text("walk") == "grid", settings.text("coherence") == "resume",
-          static_cast<int>(settings.integer("retrace"))};
+  return {.model = {.grid = settings.text("walk") == "grid",
+                    .azimuth = settings.text("azimuth") == "pixel" ? Azimuth::pixel : Azimuth::column,
+                    .face = settings.text("face") == "box" ? Face::box : Face::near},
+          .resume = settings.text("coherence") == "resume",
+          .retrace = static_cast<int>(settings.integer("retrace")),
+          .weights = settings.text("weights") == "area" ? Weights::area : Weights::height};
 }
 
 }  // namespace heightfield

@@ -34,6 +34,11 @@ struct Plane {
     const double p = swapped ? d.y : d.x;
     return flip_p ? -p : p;
   }
+  // Its q component.
+  double across(Direction d) const {
+    const double q = swapped ? d.x : d.y;
+    return flip_q ? -q : q;
+  }
 };
 
 inline Plane plane_of(Direction d) {
@@ -46,6 +51,9 @@ inline Plane plane_of(Direction d) {
 // Straight down is a slope of this size: no ray through a sample point is as steep.
 constexpr double least_advance = 1e-12;
 
+// What of a voxel is met: its box, or a thin wall at its near side, as the figures of the paper have it.
+enum class Face { box, near };
+
 // The voxel a walk stands at.
 struct Voxel {
   const Cell* cell;
@@ -53,7 +61,8 @@ struct Voxel {
   std::int64_t p, q;  // voxels of the walk's level, in the walk's axes
 };
 
-// `grid`: every voxel under the track is visited. Otherwise one for each step in p, that under the middle of the step.
+// `grid`: every voxel under the track is visited. Otherwise one for each step in p, that under the middle of the step;
+// of walls, that where the step begins.
 template <bool grid>
 class Walk {
  public:
@@ -69,7 +78,7 @@ class Walk {
   // Visits, from where the walk stands, every voxel that rises above the ray of `slope`: visit(voxel, slope) may raise
   // the slope, and ends the climb at that voxel by returning false. Otherwise it ends at the far limit.
   // `descends`: the slope is and stays below 0, so that of every box only the far edge counts.
-  template <bool descends, class Visit>
+  template <Face face, bool descends, class Visit>
   void climb(double slope, Visit&& visit);
 
   // Voxels between the last one counted and that at (p, q); 1 for the first.
@@ -87,6 +96,11 @@ class Walk {
   moire::Element element(const Voxel& voxel) const {
     const moire::TexelIndex at = index(voxel);
     return moire::texel_element(at.level, at.i, at.j);
+  }
+
+  // True if the track enters the voxel through a side across p, and not through one across q.
+  bool enters_along_p(const Voxel& voxel) const {
+    return voxel.x0 <= std::max(static_cast<double>(voxel.p) * width_ - eye_p_, 0.0);
   }
 
   const Plane& plane() const { return plane_; }
@@ -253,7 +267,7 @@ bool Walk<grid>::enter_counted(std::int64_t p0) {
 }
 
 template <bool grid>
-template <bool descends, class Visit>
+template <Face face, bool descends, class Visit>
 [[gnu::always_inline]] inline void Walk<grid>::climb(double slope, Visit&& visit) {
   const double z = view_.z, eye_p = eye_p_;
   while (p_ < end_ || (!ends_at_far_limit() && enter_counted(end_ << level_))) {
@@ -285,7 +299,8 @@ template <bool descends, class Visit>
       __builtin_prefetch(cells + (places_p[p + offset_p + steps_ahead] + places_q[ahead_q + offset_q]));
       const auto met = [&](std::int64_t q, double from, double to) {
         const Cell* cell = cells + (place_p + places_q[q + offset_q]);
-        if (!(cell->height - z > slope * (descends || slope < 0 ? to : from))) return true;
+        const bool far_edge = face == Face::box && (descends || slope < 0);
+        if (!(cell->height - z > slope * (far_edge ? to : from))) return true;
         return visit(Voxel{cell, from, to, p, q}, slope);
       };
       if constexpr (grid) {
@@ -300,8 +315,8 @@ template <bool descends, class Visit>
         if (climbs && from < x1) climbs = met(q0, from, x1);
         if (!climbs) break;
       } else {
-        const double middle = next - width / 2 - eye_p;
-        if (!met(static_cast<std::int64_t>(eye_q + std::max(middle, 0.0) * m), x0, x1)) break;
+        const double place = face == Face::near ? x0 : std::max(next - width / 2 - eye_p, 0.0);
+        if (!met(static_cast<std::int64_t>(eye_q + place * m), x0, x1)) break;
       }
       x0 = x1;
     }

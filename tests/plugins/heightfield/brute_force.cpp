@@ -86,7 +86,12 @@ Point image_of(const View& view, Ray direction) {
   return {(view.size.width + sideways * scale) / 2, (view.size.height - upward * scale) / 2};
 }
 
-std::vector<Element> seen_by(const Map& map, const View& view, Ray ray) {
+namespace {
+
+// Calls visit(element, top, grown, shrunk) for every box that the ray passes above or through, with the stretch of the
+// ray over the box moved out and in by the uncertainty.
+template <class Visit>
+void for_each_box(const Map& map, const View& view, Ray ray, Visit visit) {
   const auto first = [&](double eye, double spacing) {
     return static_cast<std::int64_t>(std::floor((eye - view.far) / spacing)) - 1;
   };
@@ -98,7 +103,6 @@ std::vector<Element> seen_by(const Map& map, const View& view, Ray ray) {
     return between(low - grown * spacing, high + grown * spacing, eye, direction);
   };
   const Interval grown_reach = reach(view, ray, uncertainty), shrunk_reach = reach(view, ray, -uncertainty);
-  Candidates candidates;
   for (std::int64_t j = first(view.y, view.spacing_y); j <= last(view.y, view.spacing_y); ++j) {
     const Interval grown_row = cut(grown_reach, across(j, view.spacing_y, view.y, ray.y, uncertainty));
     const Interval shrunk_row = cut(shrunk_reach, across(j, view.spacing_y, view.y, ray.y, -uncertainty));
@@ -107,11 +111,31 @@ std::vector<Element> seen_by(const Map& map, const View& view, Ray ray) {
       const Interval grown = cut(grown_row, across(i, view.spacing_x, view.x, ray.x, uncertainty));
       if (grown.empty()) continue;
       const Interval shrunk = cut(shrunk_row, across(i, view.spacing_x, view.x, ray.x, -uncertainty));
-      const double top = map.height(i, j);
-      candidates.add(texel_element(0, i, j), first_below(top + uncertainty, grown, view.z, ray.z),
-                     first_below(top - uncertainty, shrunk, view.z, ray.z));
+      visit(texel_element(0, i, j), static_cast<double>(map.height(i, j)), grown, shrunk);
     }
   }
+}
+
+}  // namespace
+
+std::vector<Element> seen_by(const Map& map, const View& view, Ray ray) {
+  Candidates candidates;
+  for_each_box(map, view, ray, [&](Element element, double top, Interval grown, Interval shrunk) {
+    candidates.add(element, first_below(top + uncertainty, grown, view.z, ray.z),
+                   first_below(top - uncertainty, shrunk, view.z, ray.z));
+  });
+  return candidates.result();
+}
+
+std::vector<Element> wall_seen_by(const Map& map, const View& view, Ray ray) {
+  Candidates candidates;
+  for_each_box(map, view, ray, [&](Element element, double top, Interval grown, Interval shrunk) {
+    // Of a ray that falls, the wall moved out stands below a higher place.
+    const double one = view.z + grown.begin * ray.z, other = view.z + shrunk.begin * ray.z;
+    const bool may_meet = std::min(one, other) < top + uncertainty;
+    const bool meets = !shrunk.empty() && std::max(one, other) < top - uncertainty;
+    candidates.add(element, may_meet ? grown.begin : infinity, meets ? shrunk.begin : infinity);
+  });
   return candidates.result();
 }
 

@@ -22,8 +22,13 @@ Point image_of(const View& view, Ray direction);
 // The elements that a ray may see, `background` for the sky. One unless the ray meets an edge within 1e-9.
 std::vector<Element> seen_by(const Map& map, const View& view, Ray ray);
 
-// The same for a walk that looks at one voxel a step along the axis on which the ray advances more voxels (columns
-// where it advances as many): the voxel under the middle of the step, or under the eye where that lies ahead of it.
+// The same where a voxel is not a box but a wall as high, standing where the ray enters it: the eye's own stands at the
+// eye.
+std::vector<Element> wall_seen_by(const Map& map, const View& view, Ray ray);
+
+// What seen_by says, for a walk that looks at one voxel a step along the axis on which the ray advances more voxels
+// (columns where it advances as many): the voxel under the middle of the step, or under the eye where that lies ahead
+// of it.
 std::vector<Element> seen_by_major_steps(const Map& map, const View& view, Ray ray);
 
 }  // namespace moire::test

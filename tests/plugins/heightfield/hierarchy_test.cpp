@@ -39,19 +39,20 @@ Map means_of(const Map& map, int width) {
   return coarse;
 }
 
-Changes with_levels(double level_constant) {
-  return {{"hierarchy", true}, {"level_constant", level_constant}, {"coherence", std::string("none")}};
+Changes with_levels(double level_constant, const char* rule = "floor") {
+  return {{"levels", std::string(rule)}, {"level_constant", level_constant}, {"coherence", std::string("none")}};
 }
 
-// Distances over the ground where levels 1, 2 ... begin, after the rule: voxels of 2^l where the footprint of a pixel,
-// at the slant distance to ground of mean height, is 2^l / level_constant wide.
-std::vector<double> begins(const Map& map, const View& view, double level_constant) {
+// Distances over the ground where levels 1, 2 ... begin, after the rule: voxels of 2^l where level_constant times the
+// footprint of a pixel, at the slant distance to ground of mean height, is 2^l wide; rounded, 2^(l - 1/2).
+std::vector<double> begins(const Map& map, const View& view, double level_constant, std::string_view rule) {
+  const double half = rule == "round" ? 0.5 : 0;
   double mean = 0;
   for (const float height : map.heights) mean += height / static_cast<double>(map.heights.size());
   const double pixel_angle = 2 * std::tan(view.fov * std::numbers::pi / 360) / view.size.width;
   std::vector<double> result{0};
   for (int l = 1; l <= 2; ++l) {
-    const double slant = std::exp2(l) / (level_constant * pixel_angle), drop = view.z - mean;
+    const double slant = std::exp2(l - half) / (level_constant * pixel_angle), drop = view.z - mean;
     result.push_back(slant > std::abs(drop) ? std::sqrt(slant * slant - drop * drop) : 0);
   }
   result.push_back(HUGE_VAL);
@@ -122,11 +123,12 @@ TEST_CASE("levels switch at the distances of the rule, rounded up to their own v
   constexpr double level_constant = 0.9;
   const Map map = usual_map();
   const SmallTerrain terrain(map);
-  for (const double yaw : {0.0, 30.0, 135.0, 250.0}) {
+  for (const auto& [yaw, rule] :
+       {std::pair(0.0, "floor"), std::pair(30.0, "round"), std::pair(135.0, "floor"), std::pair(250.0, "round")}) {
     View view{.caption = "", .x = 3.3, .y = 5.7, .z = 14, .yaw = yaw, .pitch = -35, .fov = 60, .far = 300};
     view.size = {16, 16};
-    const std::vector<double> begin = begins(map, view, level_constant);
-    const auto frame = terrain.frame(view, with_levels(level_constant));
+    const std::vector<double> begin = begins(map, view, level_constant, rule);
+    const auto frame = terrain.frame(view, with_levels(level_constant, rule));
     std::set<int> levels;
     for (int y = 0; y < view.size.height; ++y) {
       for (int x = 0; x < view.size.width; ++x) {
@@ -135,7 +137,7 @@ TEST_CASE("levels switch at the distances of the rule, rounded up to their own v
         Counters counters;
         frame->surface()->locate(std::span(&sample, 1), std::span(&point, 1), counters);
         if (!point.textured) continue;
-        CAPTURE(yaw, x, y, point.level);
+        CAPTURE(yaw, rule, x, y, point.level);
         levels.insert(point.level);
         const double distance = std::hypot(point.s - view.x, point.t - view.y);
         const auto l = static_cast<std::size_t>(point.level);
@@ -148,6 +150,27 @@ TEST_CASE("levels switch at the distances of the rule, rounded up to their own v
   }
 }
 
+TEST_CASE("to round with c over the root of 2 is to round down with c") {
+  const Map map = usual_map();
+  const SmallTerrain terrain(map);
+  const auto area = sampler("area");
+  for (const View& view : views_all_round()) {
+    CAPTURE(view.caption);
+    const auto levels_of = [&](double c, const char* rule) {
+      const Rendered image = rendered(*area, *terrain.frame(view, with_levels(c, rule)));
+      std::vector<std::vector<Element>> elements;
+      for (const Content& pixel : image.pixels) {
+        elements.emplace_back();
+        for (const Fragment& f : pixel.fragments) elements.back().push_back(f.element);
+      }
+      return elements;
+    };
+    for (const double c : {0.3, 0.9, 2.5}) {
+      CHECK(levels_of(c, "floor") == levels_of(c / std::numbers::sqrt2, "round"));
+    }
+  }
+}
+
 TEST_CASE("area weights fill every pixel with the hierarchy too") {
   const Map map = usual_map();
   const SmallTerrain terrain(map);
@@ -155,7 +178,7 @@ TEST_CASE("area weights fill every pixel with the hierarchy too") {
     const auto area = sampler("area", {{"layout", std::string(layout)}, {"lines", std::int64_t{2}}});
     for (const View& view : views_all_round()) {
       CAPTURE(layout, view.caption);
-      const Rendered image = rendered(*area, *terrain.frame(view, {{"hierarchy", true}}));
+      const Rendered image = rendered(*area, *terrain.frame(view, {{"levels", std::string("floor")}}));
       CHECK(std::all_of(image.pixels.begin(), image.pixels.end(),
                         [](const Content& pixel) { return std::abs(pixel.weight - 1) <= 1e-12; }));
     }

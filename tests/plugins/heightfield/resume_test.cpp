@@ -8,8 +8,8 @@
 namespace moire::test {
 namespace {
 
-Changes manner(const char* coherence, const char* walk, bool hierarchy) {
-  return {{"coherence", std::string(coherence)}, {"walk", std::string(walk)}, {"hierarchy", hierarchy}};
+Changes manner(const char* coherence, const char* walk, const char* levels) {
+  return {{"coherence", std::string(coherence)}, {"walk", std::string(walk)}, {"levels", std::string(levels)}};
 }
 
 int different_pixels(const Rendered& one, const Rendered& other) {
@@ -58,13 +58,13 @@ TEST_CASE("on radial lines resuming gives the bits of independent rays, whatever
   const Map map = usual_map();
   const SmallTerrain terrain(map);
   for (const char* walk : {"grid", "major"}) {
-    for (const bool hierarchy : {false, true}) {
+    for (const char* levels : {"none", "floor"}) {
       for (const int lines : {1, 3}) {
         const auto radial = sampler("area", {{"layout", std::string("radial")}, {"lines", std::int64_t{lines}}});
         for (const View& view : all_views(map)) {
-          CAPTURE(walk, hierarchy, lines, view.caption, view.yaw, view.pitch);
-          const auto resuming = terrain.frame(view, manner("resume", walk, hierarchy));
-          const auto independent = terrain.frame(view, manner("none", walk, hierarchy));
+          CAPTURE(walk, levels, lines, view.caption, view.yaw, view.pitch);
+          const auto resuming = terrain.frame(view, manner("resume", walk, levels));
+          const auto independent = terrain.frame(view, manner("none", walk, levels));
           CHECK(first_difference(rendered(*radial, *resuming), rendered(*radial, *independent)) == "");
         }
       }
@@ -141,8 +141,8 @@ TEST_CASE("on flat ground resuming gives the bits of independent rays, the far l
                           .far = far,
                           .spacing_y = spacing_y,
                           .size = {40, 40}};
-          const auto resuming = terrain.frame(view, manner("resume", walk, false));
-          const auto independent = terrain.frame(view, manner("none", walk, false));
+          const auto resuming = terrain.frame(view, manner("resume", walk, "none"));
+          const auto independent = terrain.frame(view, manner("none", walk, "none"));
           for (const char* name : {"point", "supersample", "area"}) {
             CAPTURE(name);
             const auto same = sampler(name);

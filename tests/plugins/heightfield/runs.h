@@ -46,13 +46,17 @@ struct Verdict {
   int runs = 0;
 };
 
+// What a brute force says of one ray.
+using SeenBy = std::vector<Element>(const Map&, const View&, Ray);
+
 // Judges runs by rays: ray_at(place) is the ray of a place on the line.
 template <class RayAt>
-void judge(const Map& map, const View& view, const std::vector<Run>& runs, RayAt ray_at, Verdict& verdict) {
+void judge(const Map& map, const View& view, const std::vector<Run>& runs, RayAt ray_at, Verdict& verdict,
+           SeenBy* seen_by_ray = seen_by) {
   for (const Run& run : runs) {
     ++verdict.runs;
     for (const double place : probes(run)) {
-      const std::vector<Element> seen = seen_by(map, view, ray_at(place));
+      const std::vector<Element> seen = seen_by_ray(map, view, ray_at(place));
       if (contains(seen, run.element) || !verdict.first_wrong.empty()) continue;
       verdict.first_wrong = fmt::format("element {:x} from {} to {}; a ray at {} sees {:x}", run.element, run.begin,
                                         run.end, place, seen.front());

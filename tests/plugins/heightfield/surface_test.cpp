@@ -105,4 +105,44 @@ TEST_CASE("a hit on a top moves with the image point as its derivatives say") {
   CHECK(compared > 3000);
 }
 
+// With its voxel a wall, a place stays on the wall, and moves along it.
+TEST_CASE("a hit on a near wall moves with the image point as its derivatives say") {
+  constexpr double step = 1e-5;
+  const Map map = usual_map();
+  const SmallTerrain terrain(map);
+  int compared = 0;
+  for (const View& view : views_all_round()) {
+    if (std::abs(view.x) > 1e5) continue;  // too few digits for differences over 2e-5
+    const auto frame = terrain.frame(view, {{"face", std::string("near")}, {"coherence", std::string("none")}});
+    for (int y = 0; y < view.size.height; ++y) {
+      for (int x = 0; x < view.size.width; ++x) {
+        const SurfacePoint point = located(*frame, x + 0.5, y + 0.5);
+        if (!point.textured) continue;
+        CAPTURE(view.caption, x, y);
+        const bool across_s = std::abs(point.s - std::round(point.s)) < 1e-8;
+        const bool across_t = std::abs(point.t - std::round(point.t)) < 1e-8;
+        REQUIRE((across_s || across_t));
+        if (across_s && across_t) continue;  // by an edge of the wall
+        const auto moves = [&](double dx, double dy, float ds, float dt) {
+          const SurfacePoint before = located(*frame, x + 0.5 - dx, y + 0.5 - dy);
+          const SurfacePoint after = located(*frame, x + 0.5 + dx, y + 0.5 + dy);
+          const auto stays = [&](const SurfacePoint& other) {
+            const double moved = across_s ? other.s - point.s : other.t - point.t;
+            return other.hit.element == point.hit.element && std::abs(moved) < 1e-8;
+          };
+          if (!stays(before) || !stays(after)) return;
+          ++compared;
+          const double tolerance = 1e-3 * (std::abs(ds) + std::abs(dt)) + 1e-7;
+          REQUIRE((across_s ? ds : dt) == 0);
+          REQUIRE(std::abs((after.s - before.s) / (2 * step) - ds) <= tolerance);
+          REQUIRE(std::abs((after.t - before.t) / (2 * step) - dt) <= tolerance);
+        };
+        moves(step, 0, point.ds_dx, point.dt_dx);
+        moves(0, step, point.ds_dy, point.dt_dy);
+      }
+    }
+  }
+  CHECK(compared > 3000);
+}
+
 }  // namespace moire::test

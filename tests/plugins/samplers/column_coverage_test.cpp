@@ -70,10 +70,10 @@ TEST_CASE("against the column, area sampling sees all and only the visible voxel
   const Map map = usual_map();
   const SmallTerrain terrain(map);
   for (const char* walk : {"grid", "major"}) {
-    for (const bool hierarchy : {false, true}) {
+    for (const char* levels : {"none", "floor"}) {
       for (const View& view : plain_views()) {
-        CAPTURE(view.caption, walk, hierarchy);
-        const auto frame = terrain.frame(view, {{"walk", std::string(walk)}, {"hierarchy", hierarchy}});
+        CAPTURE(view.caption, walk, levels);
+        const auto frame = terrain.frame(view, {{"walk", std::string(walk)}, {"levels", std::string(levels)}});
         const auto values = column_coverage(*sampler("area"), *frame);
         if (values.at("coverage.visible") == 0) continue;
         CHECK(values.at("coverage.ratio") == 1);
@@ -97,6 +97,25 @@ TEST_CASE("against the column, points see less the fewer they are, and nothing t
     CHECK(last <= 1);
   }
   CHECK(last > 0.9);
+}
+
+TEST_CASE("with the azimuth of the column, points on it see nothing that the column does not") {
+  const Map map = usual_map();
+  const SmallTerrain terrain(map);
+  const auto points = sampler("supersample", {{"n", std::int64_t{8}}});
+  int leaks_without = 0;
+  for (const View& view : plain_views()) {
+    const auto leak = [&](const char* azimuth, const char* face) {
+      const auto values = column_coverage(
+          *points, *terrain.frame(view, {{"azimuth", std::string(azimuth)}, {"face", std::string(face)}}));
+      return values.at("coverage.visible") == 0 ? 0 : values.at("coverage.leak");
+    };
+    CAPTURE(view.caption);
+    CHECK(leak("column", "box") <= 1e-12);
+    CHECK(leak("column", "near") <= 1e-12);
+    leaks_without += leak("pixel", "box") > 1e-3 ? 1 : 0;
+  }
+  CHECK(leaks_without > 10);
 }
 
 TEST_CASE("area sampling on a column finds what 64 rays a pixel see, and they find all of its larger fragments") {
