@@ -14,6 +14,7 @@ constexpr Parameter parameters[] = {
     choice("space", "linear", "linear srgb", "what is compared: linear light, or sRGB code values"),
     real("bad_above", 8, 0, 255, "levels", "a pixel is bad if a channel is off by more"),
     real("map_scale", 32, 1e-6, 255, "levels", "error at the end of the error maps' colour scale"),
+    flag("maps", true, "error maps are made: pictures of where the errors are"),
 };
 
 constexpr Quantity quantities[] = {
@@ -36,7 +37,8 @@ class ErrorMetric final : public Metric {
   explicit ErrorMetric(const Settings& settings)
       : space_(settings.text("space") == "linear" ? Space::linear : Space::srgb),
         bad_above_(settings.real("bad_above")),
-        map_scale_(settings.real("map_scale")) {}
+        map_scale_(settings.real("map_scale")),
+        has_maps_(settings.flag("maps")) {}
 
   std::vector<Measurement> finish(const Judged& judged) override {
     differences_ = differences(judged.picture, judged.reference, space_);
@@ -61,6 +63,7 @@ class ErrorMetric final : public Metric {
 
   // The mean over a pixel's channels.
   std::vector<Map> maps() const override {
+    if (!has_maps_) return {};
     Map absolute{"error_absolute", map_scale_, {}}, sign{"error_signed", map_scale_, {}};
     for (std::size_t k = 0; k < differences_.size(); k += 3) {
       const double* d = &differences_[k];
@@ -73,6 +76,7 @@ class ErrorMetric final : public Metric {
  private:
   Space space_;
   double bad_above_, map_scale_;
+  bool has_maps_;
   std::vector<double> differences_;
 };
 

@@ -109,15 +109,16 @@ class FootprintOnImage final : public Footprint {
   }
 
   Drawing finish() const override {
-    return {picture_,
-            fmt::format("{}, magnified {} times. Each pixel, from its bottom: blue the visible weight that is "
-                        "sampled, red what is missed (mean {:.3f}); orange bar: weight given to what cannot be "
-                        "seen there (mean {:.3f})",
-                        place(), magnification, missed_, leaked_)};
+    return {
+        picture_,
+        fmt::format("{}, magnified {} times. Each pixel, from its bottom: blue the visible weight that is "
+                    "sampled, red what is missed (mean {:.3f}); orange, at the right: weight given to what cannot be "
+                    "seen there (mean {:.3f})",
+                    place(), magnification, missed_, leaked_)};
   }
 
  private:
-  // The pixel as a small bar chart: seven columns of shares of the visible weight, one of leaked weight.
+  // The pixel as a small bar chart: the shares of the visible weight, and a bar over its right edge for leaked weight.
   void fill(int x, int y, double sampled, double leaked) {
     for (int row = 0; row < magnification; ++row) {
       const double height = (row + 0.5) / magnification;  // from the bottom
@@ -125,10 +126,10 @@ class FootprintOnImage final : public Footprint {
           static_cast<std::size_t>((y + 1) * magnification - 1 - row) * static_cast<std::size_t>(picture_.size.width) +
           static_cast<std::size_t>(x * magnification);
       for (int column = 0; column < magnification; ++column) {
-        const bool is_leak_bar = column == magnification - 1;
-        picture_.pixels[begin + static_cast<std::size_t>(column)] =
-            is_leak_bar ? (height < leaked ? footprint_colors::leaked : footprint_colors::outside)
-                        : (height < sampled ? footprint_colors::sampled : footprint_colors::missed);
+        const bool is_leak = column == magnification - 1 && height < leaked;
+        picture_.pixels[begin + static_cast<std::size_t>(column)] = is_leak            ? footprint_colors::leaked
+                                                                    : height < sampled ? footprint_colors::sampled
+                                                                                       : footprint_colors::missed;
       }
     }
   }

@@ -79,6 +79,12 @@ TEST_CASE("not-a-number is shown as such, wherever it stands") {
   }
 }
 
+TEST_CASE("error maps are made only where they are wanted") {
+  const auto metric = make_error(settings("maps", false));
+  measured(*metric, row({half, black}), row({black, black}));
+  CHECK(metric->maps().empty());
+}
+
 TEST_CASE("error maps hold the mean over a pixel's channels, with and without sign") {
   const auto metric = make_error(settings("map_scale", 20.0));
   measured(*metric, row({{0.5F, 0, 0}, black}), row({black, {0, 0.25F, 0.5F}}));
