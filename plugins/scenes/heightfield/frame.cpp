@@ -1,6 +1,7 @@
 #include "frame.h"
 
 #include <type_traits>
+#include <vector>
 
 namespace heightfield {
 
@@ -87,12 +88,15 @@ void HeightfieldFrame::along_by_height(moire::Point from, moire::Point to, std::
     moire::SurfacePoint point;
   };
   std::vector<Seen> seen;  // of the terrain, in one stretch
-  double length = 0, rise = 0;
+  double length = 0, rise = 0, sky = 0;
   with_model(look_.manner().model, [&](auto model) {
     look_.stretches<model(), Weights::height>(
         from, to, cuts, pieces.counters,
-        [&](std::size_t slot, Run run, const auto& walk, const Voxel* voxel, const Direction& d, moire::Tally::Sum&) {
-          if (!voxel) return pieces.add(slot, moire::background, run.length, sky_);
+        [&](std::size_t, Run run, const auto& walk, const Voxel* voxel, const Direction& d, moire::Tally::Sum&) {
+          if (!voxel) {
+            sky += run.length;
+            return;
+          }
           seen.push_back({run, look_.surface_point<model().face>(walk, *voxel, middle_of<model().face>(*voxel), d)});
           length += run.length;
           rise += run.rise;
@@ -108,8 +112,9 @@ void HeightfieldFrame::along_by_height(moire::Point from, moire::Point to, std::
               pieces.add(slot, part.point.hit.element, weight, part.point.hit.color);
             }
           }
+          if (sky > 0) pieces.add(slot, moire::background, sky, sky_);
           seen.clear();
-          length = rise = 0;
+          length = rise = sky = 0;
         });
   });
 }

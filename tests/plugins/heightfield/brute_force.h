@@ -19,6 +19,9 @@ Ray ray_through(const View& view, double image_x, double image_y);
 // The image point that a direction in front of the camera passes through.
 Point image_of(const View& view, Ray direction);
 
+// What a brute force says of one ray.
+using SeenBy = std::vector<Element>(const Map&, const View&, Ray);
+
 // The elements that a ray may see, `background` for the sky. One unless the ray meets an edge within 1e-9.
 std::vector<Element> seen_by(const Map& map, const View& view, Ray ray);
 

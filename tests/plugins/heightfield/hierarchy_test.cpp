@@ -59,6 +59,36 @@ std::vector<double> begins(const Map& map, const View& view, double level_consta
   return result;
 }
 
+void check_mean_voxels(const char* face, SeenBy* seen_by_ray) {
+  const Map map = even_map(), coarse = means_of(map, 4);
+  const SmallTerrain terrain(map);
+  Changes changes = with_levels(1000);  // from the eye on, the coarsest: 4 x 4 voxels
+  changes.push_back({"face", std::string(face)});
+  for (View view : views_all_round()) {
+    CAPTURE(view.caption, face);
+    const auto frame = terrain.frame(view, changes);
+    View wide = view;
+    wide.spacing_x = wide.spacing_y = 4;
+    int wrong = 0;
+    for (int y = 0; y < view.size.height; ++y) {
+      for (int x = 0; x < view.size.width; ++x) {
+        const SamplePoint point{x + 0.5, y + 0.5};
+        Hit hit;
+        Counters counters;
+        frame->trace(std::span(&point, 1), std::span(&hit, 1), counters);
+        std::vector<Element> expected = seen_by_ray(coarse, wide, ray_through(view, point.x, point.y));
+        const auto is_it = [&](Element element) {
+          if (element == background) return hit.element == background;
+          const TexelIndex at = texel_index(element);
+          return hit.element == texel_element(2, at.i, at.j) && hit.color == coarse.color(at.i, at.j);
+        };
+        wrong += std::none_of(expected.begin(), expected.end(), is_it) ? 1 : 0;
+      }
+    }
+    CHECK(wrong == 0);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the hierarchy of a map of 4 x 4, by hand") {
@@ -91,32 +121,9 @@ TEST_CASE("the hierarchy of a map of 4 x 4, by hand") {
   CHECK(seen_below(4.5, 5.5, 19.1).element == texel_element(2, 1, 1));
 }
 
-TEST_CASE("where one level fills the view, rays see the boxes of mean height") {
-  const Map map = even_map(), coarse = means_of(map, 4);
-  const SmallTerrain terrain(map);
-  for (View view : views_all_round()) {
-    CAPTURE(view.caption);
-    const auto frame = terrain.frame(view, with_levels(1000));  // from the eye on, the coarsest: 4 x 4 voxels
-    View wide = view;
-    wide.spacing_x = wide.spacing_y = 4;
-    int wrong = 0;
-    for (int y = 0; y < view.size.height; ++y) {
-      for (int x = 0; x < view.size.width; ++x) {
-        const SamplePoint point{x + 0.5, y + 0.5};
-        Hit hit;
-        Counters counters;
-        frame->trace(std::span(&point, 1), std::span(&hit, 1), counters);
-        std::vector<Element> expected = seen_by(coarse, wide, ray_through(view, point.x, point.y));
-        const auto is_it = [&](Element element) {
-          if (element == background) return hit.element == background;
-          const TexelIndex at = texel_index(element);
-          return hit.element == texel_element(2, at.i, at.j) && hit.color == coarse.color(at.i, at.j);
-        };
-        wrong += std::none_of(expected.begin(), expected.end(), is_it) ? 1 : 0;
-      }
-    }
-    CHECK(wrong == 0);
-  }
+TEST_CASE("where one level fills the view, rays see the boxes, or the walls, of mean height") {
+  check_mean_voxels("box", seen_by);
+  check_mean_voxels("near", wall_seen_by);
 }
 
 TEST_CASE("levels switch at the distances of the rule, rounded up to their own voxels") {

@@ -46,9 +46,6 @@ struct Verdict {
   int runs = 0;
 };
 
-// What a brute force says of one ray.
-using SeenBy = std::vector<Element>(const Map&, const View&, Ray);
-
 // Judges runs by rays: ray_at(place) is the ray of a place on the line.
 template <class RayAt>
 void judge(const Map& map, const View& view, const std::vector<Run>& runs, RayAt ray_at, Verdict& verdict,

@@ -13,8 +13,6 @@
 namespace moire::test {
 namespace {
 
-using SeenBy = std::vector<Element>(const Map&, const View&, Ray);
-
 const Changes independent_grid{{"coherence", std::string("none")}};
 const Changes independent_major{{"coherence", std::string("none")}, {"walk", std::string("major")}};
 
