@@ -99,10 +99,10 @@ class FootprintOnImage final : public Footprint {
         return std::binary_search(list.begin(), list.end(), ElementWeight{element, 0},
                                   [](const auto& a, const auto& b) { return a.element < b.element; });
       };
-      double sampled = 0, leaked = 0;
-      for (const ElementWeight& e : exact) sampled += is_in(own, e.element) ? e.weight : 0;
+      double sampled = 0, missed = 0, leaked = 0;
+      for (const ElementWeight& e : exact) (is_in(own, e.element) ? sampled : missed) += e.weight;
       for (const ElementWeight& e : own) leaked += is_in(exact, e.element) ? 0 : e.weight;
-      all_missed += 1 - sampled;
+      all_missed += missed;
       all_leaked += leaked;
       fill(x, y, sampled, leaked);
     });

@@ -109,6 +109,16 @@ TEST_CASE("on the image, bars are as high as the visible weight that is sampled 
         "(mean 0.208)");
 }
 
+TEST_CASE("where all is sampled nothing is missed, however the weights' sum is rounded") {
+  for (int count = 1; count <= 50; ++count) {
+    CAPTURE(count);
+    Deposits all;
+    for (int k = 0; k < count; ++k) all.push_back({0, 0, texel_element(0, k, 0), 0.1});
+    const std::string caption = footprint("image", {0, 0, 1, 1}, all, all).caption;
+    CHECK(caption.find("missed (mean 0.000)") != std::string::npos);
+  }
+}
+
 TEST_CASE("in plan, a footprint is that of all elements of the window, each once") {
   const Drawing drawing =
       footprint("plan", {4, 2, 2, 2}, {{4, 2, a, 1}, {5, 2, a, 1}, {5, 3, background, 1}},
