@@ -27,11 +27,10 @@ class FramesReader {
                 fmt::format("unknown key{} frames take {}", did_you_mean(member.key, keys), listed(keys)));
       }
     }
-    frames_.count = whole(node, format::frame_count, frames_.count);
-    frames_.still = whole(node, format::still_frame, frames_.still);
+    frames_.count = whole(node, format::frame_count);
+    frames_.still = whole(node, format::still_frame);
     if (frames_.still >= frames_.count) {
-      const JsonNode* still = node.find(format::still_frame.name);
-      problem(still ? still->place : node.place, "frames.still",
+      problem(node.find(format::still_frame.name)->place, "frames.still",
               fmt::format("is {}; frames are numbered from 0 to {}", frames_.still, frames_.count - 1));
     }
     if (const JsonNode* animate = node.find(format::animate_key)) read_tracks(*animate);
@@ -45,23 +44,33 @@ class FramesReader {
     reading_.problems.add(place, path, what);
   }
 
-  int whole(const JsonNode& object, const Parameter& parameter, int otherwise) {
+  // Of a wrong count the largest there may be, so that nothing is said about the frames that are within it.
+  int whole(const JsonNode& object, const Parameter& parameter) {
     const JsonNode* node = object.find(parameter.name);
-    if (!node) return otherwise;
+    if (!node) return static_cast<int>(parameter.number);
     const auto cell = read_value(*node, member_path("frames", parameter.name), parameter, "frames", reading_);
-    return cell ? static_cast<int>(std::get<std::int64_t>(cell->value)) : otherwise;
+    if (cell) return static_cast<int>(std::get<std::int64_t>(cell->value));
+    return static_cast<int>(parameter.name == format::frame_count.name ? parameter.largest : parameter.number);
+  }
+
+  // "[[0, 1.5], [399, 9]]", of frames that there are.
+  std::string example() const {
+    return frames_.count > 1 ? fmt::format("[[0, 1.5], [{}, 9]]", frames_.count - 1) : "[[0, 1.5]]";
   }
 
   void read_tracks(const JsonNode& animate) {
     if (!animate.is(JsonKind::object)) {
       return problem(animate.place, "frames.animate",
-                     fmt::format("is {}; it takes an object such as {{\"view.x\": [[0, 0], [{}, 10.5]]}}",
-                                 shown(animate), std::max(frames_.count - 1, 1)));
+                     fmt::format("is {}; it takes an object such as {{\"view.x\": {}}}", shown(animate), example()));
     }
     for (const JsonMember& member : animate.members) {
       const std::string path = member_path("frames.animate", member.key);
       bool is_known = true;
-      for (const Choice& scene : scenes_) is_known = is_movable(scene, member, path) && is_known;
+      const Plugin* last = nullptr;  // the scenes of a grid lie side by side and have one table
+      for (const Choice& scene : scenes_) {
+        if (scene.plugin != last) is_known = is_movable(scene, member, path) && is_known;
+        last = scene.plugin;
+      }
       if (is_known) read_track(member, path);
     }
   }
@@ -74,8 +83,8 @@ class FramesReader {
       movable.push_back(parameter.name);
     }
     problem(member.place, path,
-            movable.empty() ? fmt::format("scene \"{}\" has nothing that can be animated", scene.name)
-                            : fmt::format("cannot be animated in scene \"{}\"{} what can is {}", scene.name,
+            movable.empty() ? fmt::format("scene \"{}\" has nothing that can be animated", scene.plugin->name)
+                            : fmt::format("cannot be animated in scene \"{}\"{} what can is {}", scene.plugin->name,
                                           did_you_mean(member.key, movable), listed(movable)));
     return false;
   }
@@ -84,8 +93,8 @@ class FramesReader {
     const JsonNode& list = member.value;
     if (!list.is(JsonKind::list) || list.items.empty()) {
       return problem(list.place, path,
-                     fmt::format("is {}; it takes keyframes such as [[0, 1.5], [{}, 9]]",
-                                 list.is(JsonKind::list) ? "an empty list" : shown(list), frames_.count - 1));
+                     fmt::format("is {}; it takes keyframes such as {}",
+                                 list.is(JsonKind::list) ? "an empty list" : shown(list), example()));
     }
     Track track{member.key, {}};
     for (std::size_t i = 0; i < list.items.size(); ++i) read_key(list.items[i], item_path(path, i), track);

@@ -42,11 +42,16 @@ constexpr Quantity quantities[] = {
      .is_main = true},
 };
 
+// 0 .. 255. Requires: a number.
+int srgb_code(float light) {
+  return static_cast<int>(std::lround(255 * linear_to_srgb(std::clamp(light, 0.0F, 1.0F))));
+}
+
 }  // namespace
 
 Flicker::Flicker(const Settings& settings, ImageSize image)
     : columns_(settings.text("of") == "image" ? Columns{0, image.width}
-                                              : Columns{chosen_column(settings.integer("column"), image.width), 1}) {}
+                                              : Columns{or_middle(settings.integer("column"), image.width), 1}) {}
 
 void Flicker::see(const FrameView& view) {
   const std::vector<Code> own = codes_of(view.own), reference = codes_of(*view.reference);
@@ -70,7 +75,8 @@ std::vector<Flicker::Code> Flicker::codes_of(const PixelBlock& block) {
     const Color color = block.color(slot);
     const float channels[] = {color.r, color.g, color.b};
     for (std::size_t c = 0; c < 3; ++c) {
-      codes[slot][c] = static_cast<int>(std::lround(255 * linear_to_srgb(std::clamp(channels[c], 0.0F, 1.0F))));
+      has_nan_ = has_nan_ || std::isnan(channels[c]);
+      codes[slot][c] = std::isnan(channels[c]) ? 0 : srgb_code(channels[c]);
     }
   }
   return codes;
@@ -82,7 +88,8 @@ std::vector<Measurement> Flicker::finish() const {
     count += histogram_[change];
     sum += change * histogram_[change];
   }
-  const auto all = static_cast<double>(count);
+  // A pixel that is not a number has no code, and what was counted without it is no answer.
+  const double all = has_nan_ ? std::nan("") : static_cast<double>(count);
   std::vector<Measurement> result;
   double rest = all;
   for (std::size_t k = 0; k + 3 < std::size(quantities); ++k) {

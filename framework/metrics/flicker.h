@@ -23,12 +23,13 @@ class Flicker final : public TemporalMetric {
 
  private:
   using Code = std::array<int, 3>;  // 8-bit sRGB
-  static std::vector<Code> codes_of(const PixelBlock& block);
+  std::vector<Code> codes_of(const PixelBlock& block);
 
   Columns columns_;
   std::vector<Code> last_, last_reference_;
   std::array<std::uint64_t, 256> histogram_{};
   std::uint64_t excess_ = 0;
+  bool has_nan_ = false;  // in a pixel of the contender or of the reference
 };
 
 }  // namespace moire

@@ -19,7 +19,7 @@ struct Needs {
   bool fragments = false;
   bool reference = false;     // the reference's colours
   bool exact = false;         // the exact fragments of the frame as the contender sees it
-  bool of_reference = false;  // the pass is run on the reference too, as if it were a contender
+  bool of_reference = false;  // the pass is run on the reference too, as if it were a contender, without fragments
 };
 
 // One frame, as far as it was asked for. All blocks are of the same columns.
@@ -38,9 +38,7 @@ class FramePass {
   virtual void see(const FrameView& view) = 0;
 };
 
-// The column meant by a setting, where -1 stands for the middle one.
-constexpr int chosen_column(std::int64_t setting, int width) {
-  return setting < 0 ? width / 2 : static_cast<int>(setting);
-}
+// The column or row meant by a setting, of `size` in all; -1 stands for the middle one.
+constexpr int or_middle(std::int64_t setting, int size) { return setting < 0 ? size / 2 : static_cast<int>(setting); }
 
 }  // namespace moire

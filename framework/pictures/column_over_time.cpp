@@ -1,6 +1,7 @@
 // One image column over time: Cohen-Or 1997, section 5, Fig. 14. Smooth along time where a method does not flicker.
 #include <fmt/format.h>
 
+#include "pictures/over_time.h"
 #include "pictures/registry.h"
 
 namespace moire {
@@ -16,7 +17,7 @@ constexpr Parameter parameters[] = {
 class ColumnOverTime final : public PicturePass {
  public:
   ColumnOverTime(const Settings& settings, const Extent& extent)
-      : column_(chosen_column(settings.integer("column"), extent.image.width)),
+      : column_(or_middle(settings.integer("column"), extent.image.width)),
         picture_{{extent.frames, extent.image.height},
                  std::vector<Color>(static_cast<std::size_t>(extent.frames) *
                                     static_cast<std::size_t>(extent.image.height))} {}
@@ -47,7 +48,8 @@ const PassDescription column_over_time_description{
     .source = "Cohen-Or 1997, Fig. 14",
     .parameters = parameters,
     .problem = [](const Settings& settings, const Extent& extent) -> std::string {
-      if (extent.frames < 2) return "shows frames side by side; give \"frames\" a \"count\" of 2 or more";
+      const std::string problem = over_time_problem(extent.frames);
+      if (!problem.empty()) return problem;
       if (settings.integer("column") < extent.image.width) return {};
       return fmt::format("shows column {}; the image has columns 0 to {}", settings.integer("column"),
                          extent.image.width - 1);

@@ -1,7 +1,10 @@
 // What one pixel is made of: its fragments from bottom to top in the order of deposit, each as high as its weight; at
 // one instant, or over time. Cohen-Or 1997, sections 4.1 and 5, Fig. 13.
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "pictures/over_time.h"
 #include "pictures/registry.h"
 
 namespace moire {
@@ -21,8 +24,8 @@ constexpr Parameter parameters[] = {
 class EnlargedPixel final : public PicturePass {
  public:
   EnlargedPixel(const Settings& settings, const Extent& extent)
-      : x_(chosen_column(settings.integer("x"), extent.image.width)),
-        y_(chosen_column(settings.integer("y"), extent.image.height)),
+      : x_(or_middle(settings.integer("x"), extent.image.width)),
+        y_(or_middle(settings.integer("y"), extent.image.height)),
         over_time_(settings.text("over") == "time"),
         picture_{{over_time_ ? extent.frames : side, side}, {}} {
     picture_.pixels.resize(static_cast<std::size_t>(picture_.size.width) * side);
@@ -76,12 +79,11 @@ const PassDescription enlarged_pixel_description{
     .problem = [](const Settings& settings, const Extent& extent) -> std::string {
       const auto [width, height] = extent.image;
       if (settings.integer("x") >= width || settings.integer("y") >= height) {
-        return fmt::format("shows pixel ({}, {}); the image has {} x {}", settings.integer("x"), settings.integer("y"),
-                           width, height);
+        return fmt::format("shows pixel ({}, {}); the image has columns 0 to {} and rows 0 to {}",
+                           or_middle(settings.integer("x"), width), or_middle(settings.integer("y"), height), width - 1,
+                           height - 1);
       }
-      if (settings.text("over") == "time" && extent.frames < 2)
-        return "shows frames side by side; give \"frames\" a \"count\" of 2 or more";
-      return {};
+      return settings.text("over") == "time" ? over_time_problem(extent.frames) : "";
     },
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 using namespace parameter;
 
-constexpr int magnification = 8;  // on the image
+constexpr int magnification = 8;   // on the image
+constexpr int widest_shown = 512;  // pixels of a window on the image; more would be a picture of more than 4096
 
 constexpr Parameter parameters[] = {
     choice("in", "plan", "plan image", "the map from above, or the pixels of the window"),
@@ -69,11 +70,12 @@ class FootprintInPlan final : public Footprint {
 
   Drawing finish() const override {
     FootprintPlan plan = footprint_plan(visible_, seen_);
-    const double share = static_cast<double>(plan.sampled) / static_cast<double>(plan.sampled + plan.missed);
-    std::string caption = fmt::format(
-        "{}, in plan. Blue: {} sampled; red: {} visible and missed (M/V {:.2f}); green: "
-        "hidden",
-        place(), plan.sampled, plan.missed, share);
+    const std::size_t visible = plan.sampled + plan.missed;
+    std::string caption =
+        fmt::format("{}, in plan. Blue: {} sampled; red: {} visible and missed", place(), plan.sampled, plan.missed);
+    if (visible > 0)
+      caption += fmt::format(" (M/V {:.2f})", static_cast<double>(plan.sampled) / static_cast<double>(visible));
+    caption += fmt::format("; green: {} hidden among them", plan.hidden);
     if (plan.leaked > 0) caption += fmt::format("; orange: {} sampled though hidden", plan.leaked);
     return {std::move(plan.picture), std::move(caption)};
   }
@@ -97,10 +99,10 @@ class FootprintOnImage final : public Footprint {
         return std::binary_search(list.begin(), list.end(), ElementWeight{element, 0},
                                   [](const auto& a, const auto& b) { return a.element < b.element; });
       };
-      double sampled = 0, leaked = 0;
-      for (const ElementWeight& e : exact) sampled += is_in(own, e.element) ? e.weight : 0;
+      double sampled = 0, missed = 0, leaked = 0;
+      for (const ElementWeight& e : exact) (is_in(own, e.element) ? sampled : missed) += e.weight;
       for (const ElementWeight& e : own) leaked += is_in(exact, e.element) ? 0 : e.weight;
-      all_missed += 1 - sampled;
+      all_missed += missed;
       all_leaked += leaked;
       fill(x, y, sampled, leaked);
     });
@@ -153,7 +155,17 @@ const PassDescription footprint_description{
       };
       if (beyond("window.x", "window.width", extent.image.width) ||
           beyond("window.y", "window.height", extent.image.height)) {
-        return fmt::format("its window leaves the image of {} x {} pixels", extent.image.width, extent.image.height);
+        return fmt::format("its window of {} x {} pixels at ({}, {}) leaves the image of {} x {}",
+                           settings.integer("window.width"), settings.integer("window.height"),
+                           settings.integer("window.x"), settings.integer("window.y"), extent.image.width,
+                           extent.image.height);
+      }
+      const bool is_large =
+          std::max(settings.integer("window.width"), settings.integer("window.height")) > widest_shown;
+      if (settings.text("in") == "image" && is_large) {
+        return fmt::format("shows a window of {} x {} pixels magnified {} times; at most {} x {} can be",
+                           settings.integer("window.width"), settings.integer("window.height"), magnification,
+                           widest_shown, widest_shown);
       }
       return {};
     },

@@ -63,7 +63,9 @@ struct Hull {
     }
   }
 
-  // Where the chains are at the middle of column i.
+  // The row where a chain is at `i`, the middle of a column that the hull reaches. Exact wherever it is the middle of a
+  // row, so that no place on the hull's edge is taken for one inside: a quotient that is a double comes out as that
+  // double.
   static double at(const std::vector<Corner>& chain, double i) {
     const auto next = std::find_if(chain.begin() + 1, chain.end() - 1,
                                    [&](const Corner& c) { return static_cast<double>(c.i) >= i; });
@@ -93,7 +95,9 @@ class Plan {
         places_(width_ * height_, Place::outside) {}
 
   void fill_hull(const Hull& hull) {
-    for (std::size_t i = 0; i < width_; ++i) {
+    // The map may reach beyond the hull, where what is sampled though hidden lies.
+    const auto column = [&](const Corner& c) { return static_cast<std::size_t>(c.i - extent_.i0); };
+    for (std::size_t i = column(hull.lower.front()); i < column(hull.lower.back()); ++i) {
       const double middle = static_cast<double>(extent_.i0) + static_cast<double>(i) + 0.5;
       const double a = Hull::at(hull.lower, middle), b = Hull::at(hull.upper, middle);
       for (std::size_t j = 0; j < height_; ++j) {
@@ -175,17 +179,18 @@ FootprintPlan footprint_plan(const std::vector<Element>& visible, const std::vec
 
   Plan plan(extent);
   if (!visible.empty()) plan.fill_hull(Hull(std::move(corners)));
-  for (Element element : seen) {
-    if (contains(visible, element)) continue;
-    plan.fill(element, Place::leaked);
+  // Backwards: rising elements begin with the finest level, which is to lie on top.
+  for (auto element = seen.rbegin(); element != seen.rend(); ++element) {
+    if (contains(visible, *element)) continue;
+    plan.fill(*element, Place::leaked);
     ++result.leaked;
   }
-  for (Element element : visible) {
-    const bool sampled = contains(seen, element);
-    plan.fill(element, sampled ? Place::sampled : Place::missed);
+  for (auto element = visible.rbegin(); element != visible.rend(); ++element) {
+    const bool sampled = contains(seen, *element);
+    plan.fill(*element, sampled ? Place::sampled : Place::missed);
     ++(sampled ? result.sampled : result.missed);
   }
-  result.hidden = static_cast<double>(plan.count(Place::hidden));
+  result.hidden = plan.count(Place::hidden);
   result.picture = plan.picture();
   return result;
 }

@@ -17,13 +17,14 @@ constexpr Color sampled{0.02F, 0.08F, 0.55F}, missed{0.62F, 0.02F, 0.02F}, hidde
 
 struct FootprintPlan {
   Picture picture;
-  std::size_t sampled = 0, missed = 0, leaked = 0;  // texels
-  double hidden = 0;                                // area of hidden texels, in texels of level 0
+  std::size_t sampled = 0, missed = 0, leaked = 0;  // texels, of whatever level
+  std::size_t hidden = 0;                           // places, each a texel of level 0
 };
 
 // `visible` and `seen` are sets of texel elements in rising order: those that can be seen, and those that a method has
-// sampled. A place counts as hidden that lies inside the convex hull of the visible texels and under none of them.
-// Column i of the map lies to the right, row j downward. Error: the footprint spans more than 8192 texels a side.
+// sampled. A place counts as hidden whose middle lies inside the convex hull of the visible texels and which is under
+// none of either set. Where texels overlap, visible ones lie over leaked ones and finer ones over coarser. Column i of
+// the map lies to the right, row j downward. Error: the footprint spans more than 8192 texels a side.
 FootprintPlan footprint_plan(const std::vector<Element>& visible, const std::vector<Element>& seen);
 
 }  // namespace moire

@@ -117,9 +117,11 @@ std::vector<PictureRow> other_rows(const ReportData& data, const SceneView& view
     auto row = std::find_if(rows.begin(), rows.end(),
                             [&](const PictureRow& r) { return r.kind == image.kind && r.scale == image.scale; });
     if (row == rows.end()) row = rows.insert(row, {image.kind, image.scale, {}});
-    row->panels.push_back(panel_of(data, view, image.sampler));
-    row->panels.back().caption = image.caption;
-    album.put(row->panels.back(), image.file);
+    Panel& panel = row->panels.emplace_back(panel_of(data, view, image.sampler));
+    panel.caption = image.caption;
+    // How a method samples is not to be read by the error of its image.
+    if (!panel.caption.empty()) panel.error.clear();
+    album.put(panel, image.file);
   }
   return rows;
 }

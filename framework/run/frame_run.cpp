@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <moire/error.h>
+
 #include "run/failure_message.h"
 
 namespace moire {
@@ -159,7 +161,7 @@ class FrameRun {
     const Rendered& reference = rendered(k, watched_.size());
     const Rendered& exact = rendered(k, watched_.size() + 1);
     for (const Rendered* made : {&reference, &exact}) {
-      if (made->thrown) std::rethrow_exception(made->thrown);
+      if (made->thrown) throw Error(fmt::format("frame {}: the reference: {}", frame, failure_message(made->thrown)));
     }
     for (std::size_t i = 0; i < watched_.size(); ++i) {
       Watched& w = watched_[i];

@@ -92,14 +92,14 @@ Reference make_reference(const ReferenceChoice& choice, const std::string& scene
 }
 
 std::vector<MergedBlock> exact_fragments(Against against, const ReferenceChoice& choice, const Frame& frame,
-                                         std::uint64_t seed, const Workers& workers) {
+                                         int frame_number, std::uint64_t seed, const Workers& workers) {
   std::vector<MergedBlock> result(workers.blocks(frame.size()));
   const auto keep = [&](std::size_t index, const PixelBlock& block) { result[index] = MergedBlock(block); };
   if (against == Against::column) {
     workers.render(ColumnLine(frame), frame.size(), true, keep);
   } else {
     const Contender contender(choice.sampler);
-    workers.render(*contender.begin(frame, seed), frame.size(), true, keep);
+    workers.render(*contender.begin(frame, seed, frame_number), frame.size(), true, keep);
   }
   return result;
 }

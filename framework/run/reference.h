@@ -37,6 +37,6 @@ Reference make_reference(const ReferenceChoice& choice, const std::string& scene
 
 // The exact fragments that coverage is held against, block by block.
 std::vector<MergedBlock> exact_fragments(Against against, const ReferenceChoice& choice, const Frame& frame,
-                                         std::uint64_t seed, const Workers& workers);
+                                         int frame_number, std::uint64_t seed, const Workers& workers);
 
 }  // namespace moire

@@ -73,42 +73,45 @@ class SceneRun {
         results_(results) {}
 
   void run(ContentHashes& hashes) {
-    step(choice_.name, "reference", [&] { prepare(); });
+    step("reference", [&] { prepare(); });
     if (!frame_) {
       results_.failures.back().message += "; no contender ran on this scene";
       progress_.skip(steps_a_scene(experiment_) - 1);
       return sink_.save(results_);
     }
     for (const SamplerChoice& sampler : experiment_.samplers) {
-      step(choice_.name, sampler.name, [&] {
+      step(sampler.name, [&] {
         judge(sampler);
         results_.jobs[choice_.name + "/" + sampler.name] =
             job_key(experiment_, choice_, sampler, reference_choice_.sampler, hashes);
       });
     }
     if (!error_sum_.empty()) scene_result().detail_window = worst_window(error_sum_, experiment_.image);
-    if (has_frame_passes(experiment_)) step(choice_.name, "frames", [&] { watch_frames(); });
+    if (has_frame_passes(experiment_)) step("frames", [&] { watch_frames(); });
     for (const PassChoice& metric : experiment_.metrics) {
-      if (registered_metric(metric.name).is_timing()) step(choice_.name, "speed", [&] { time(metric.settings); });
+      if (registered_metric(metric.name).is_timing()) step("speed", [&] { time(metric.settings); });
     }
     sink_.save(results_);
   }
 
  private:
   // One piece of work: what it throws becomes a failure, and the run goes on.
-  void step(const std::string& scene, const std::string& sampler, const std::function<void()>& work) {
-    progress_.begin(scene + " / " + sampler);
+  void step(const std::string& sampler, const std::function<void()>& work) {
+    progress_.begin(choice_.name + " / " + sampler);
     try {
       work();
     } catch (const Interrupted&) {
       throw;
     } catch (...) {
-      const std::string message = failure_message(std::current_exception());
-      results_.failures.push_back({scene, sampler, message});
-      progress_.note(fmt::format("{} / {}: failed: {}", scene, sampler, message));
+      note_failure(sampler, failure_message(std::current_exception()));
     }
     progress_.end();
     sink_.save(results_);
+  }
+
+  void note_failure(const std::string& sampler, const std::string& message) {
+    results_.failures.push_back({choice_.name, sampler, message});
+    progress_.note(fmt::format("{} / {}: failed: {}", choice_.name, sampler, message));
   }
 
   SceneResult& scene_result() { return results_.scenes.back(); }
@@ -152,7 +155,9 @@ class SceneRun {
 
   const std::vector<MergedBlock>& exact_blocks(Against against) {
     std::vector<MergedBlock>& blocks = against == Against::column ? column_blocks_ : pixel_blocks_;
-    if (blocks.empty()) blocks = exact_fragments(against, reference_choice_, *frame_, experiment_.seed, workers_);
+    if (blocks.empty())
+      blocks =
+          exact_fragments(against, reference_choice_, *frame_, experiment_.frames.still, experiment_.seed, workers_);
     return blocks;
   }
 
@@ -240,8 +245,7 @@ class SceneRun {
       if (w.failure.empty()) {
         keep(w);
       } else {
-        results_.failures.push_back({choice_.name, w.name, w.failure});
-        progress_.note(fmt::format("{} / {}: failed: {}", choice_.name, w.name, w.failure));
+        note_failure(w.name, w.failure);
       }
     }
   }
@@ -256,12 +260,19 @@ class SceneRun {
     }
     for (std::size_t k = 0; k < experiment_.pictures.size(); ++k) {
       const auto* picture = static_cast<const PicturePass*>((pass++)->get());
-      if (!picture) continue;
-      const Drawing drawing = picture->finish();
-      const std::string kind = picture_kind(k);
+      if (picture) keep(*picture, picture_kind(k), w);
+    }
+  }
+
+  // A picture that cannot be drawn costs no other one.
+  void keep(const PicturePass& picture, const std::string& kind, const Watched& w) {
+    try {
+      const Drawing drawing = picture.finish();
       const std::string folder = w.contender ? w.name : reference_folder;
-      results_.images.push_back(
-          {choice_.name, w.name, kind, sink_.drawing(choice_.name, folder, kind, drawing.picture), 0, drawing.caption});
+      const auto file = sink_.drawing(choice_.name, folder, kind, drawing.picture);
+      results_.images.push_back({choice_.name, w.name, kind, file, 0, drawing.caption});
+    } catch (const std::exception&) {
+      note_failure(w.name, failure_message(std::current_exception()));
     }
   }
 

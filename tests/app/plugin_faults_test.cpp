@@ -107,4 +107,31 @@ TEST_CASE("a sampler that throws costs its own rows, which say why") {
   CHECK(desk.bytes("out/report.html").find("the table is empty") != std::string::npos);
 }
 
+TEST_CASE("a sampler that throws in one frame keeps what the still gave, and the others have their frames") {
+  const Desk desk;
+  desk.file("tiny/experiment.json", tiny_experiment(R"(["throws_in_frame_1", "point"])", R"(["error", "flicker"])"));
+  const Ended ended = desk.moire({"run", "tiny", "-o", "out", "--plugins", APP_PLUGINS, "--set", "frames.count=3",
+                                  "--set", "pictures=column_over_time"});
+  CHECK(ended.code == 1);
+  CHECK(ended.err.find("hills / throws_in_frame_1: failed: frame 1: no sequels\n") != std::string::npos);
+  const Results results = report::read_json(desk.path() / "out");
+  REQUIRE(results.failures.size() == 1);
+  CHECK(results.failures[0].sampler == "throws_in_frame_1");
+  CHECK(results.failures[0].message == "frame 1: no sequels");
+  std::set<std::string> judged, flickering, drawn;
+  for (const Row& row : results.rows) {
+    (row.metric.starts_with("flicker.") ? flickering : judged).insert(row.sampler);
+  }
+  for (const ImageResult& image : results.images) {
+    if (image.kind == "column_over_time") drawn.insert(image.sampler);
+  }
+  CHECK(judged.size() == 2);
+  CHECK(judged.contains("throws_in_frame_1"));
+  for (const auto& names : {flickering, drawn}) {
+    CHECK(names.size() == 2);
+    CHECK(names.contains("point"));
+    CHECK(names.contains("reference"));
+  }
+}
+
 }  // namespace moire::test

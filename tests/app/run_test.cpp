@@ -3,6 +3,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <set>
 
+#include <moire/image.h>
+
 #include "app/program.h"
 #include "app/tiny_experiment.h"
 #include "report/json.h"
@@ -25,6 +27,29 @@ Names names(const Files& files) {
 struct TinyDesk : Desk {
   explicit TinyDesk(const std::string& experiment = tiny_experiment()) { file("tiny/experiment.json", experiment); }
 };
+
+// Three frames of a camera that moves, of which the second is the still; flicker, and every picture, some twice.
+std::string moving_experiment() {
+  std::string json = tiny_experiment(R"(["point", {"type": "supersample", "n": 2}])", R"(["error", "flicker"])");
+  json.resize(json.rfind('}'));
+  return json + R"(, "frames": {"count": 3, "still": 1, "animate": {"view.x": [[0, 30], [2, 34.5]]}},
+"pictures": [{"type": "footprint", "window": {"x": 8, "y": 8, "width": 4, "height": 3}},
+             {"type": "footprint", "in": "image", "window": {"x": 8, "y": 8, "width": 4, "height": 3}},
+             {"type": "enlarged_pixel", "x": 9, "y": 9}, {"type": "enlarged_pixel", "x": 9, "y": 9, "over": "time"},
+             {"type": "column_over_time", "column": 9}]
+}
+)";
+}
+
+// The pixels of a picture in a result folder, row by row.
+std::vector<Color> pixels(const std::filesystem::path& file) {
+  const Image image = read_image(file);
+  std::vector<Color> result;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) result.push_back(color_at(image, x, y));
+  }
+  return result;
+}
 
 Names samplers_in(const Results& results) {
   Names result;
@@ -55,6 +80,103 @@ TEST_CASE("a run writes exactly the files of a result folder") {
   }
   CHECK(names(desk.files("results/tiny")) == expected);
   CHECK(names(desk.files(".")).size() == expected.size() + 1);  // nothing elsewhere
+}
+
+TEST_CASE("an animation's pictures lie beside its images, and flicker is measured of the reference too") {
+  const TinyDesk desk(moving_experiment());
+  const Ended ended = desk.moire({"run", "tiny", "-o", "out"});
+  CHECK(ended.code == 0);
+  CHECK(ended.err ==
+        "[1/4] hills / reference\n[2/4] hills / point\n[3/4] hills / supersample[n=2]\n[4/4] hills / frames\n");
+
+  Names drawn;
+  for (const std::string& name : names(desk.files("out/images/hills"))) {
+    if (name.find("_0000") == std::string::npos) drawn.insert(name);
+  }
+  Names expected{"(reference)/column_over_time.png"};
+  for (const std::string sampler : {"point", "supersample[n=2]"}) {
+    for (const char* picture :
+         {"column_over_time", "enlarged_pixel_1", "enlarged_pixel_2", "footprint_1", "footprint_2"}) {
+      expected.insert(sampler + "/" + picture + ".png");
+    }
+  }
+  CHECK(drawn == expected);
+
+  const Results results = report::read_json(desk.path() / "out");
+  CHECK(results.failures.empty());
+  Names flickering;
+  for (const Row& row : results.rows) {
+    if (row.metric == "flicker.mean") flickering.insert(row.sampler);
+    if (row.metric == "flicker.excess" && row.sampler == "reference") CHECK(row.value == 0);
+  }
+  CHECK(flickering == Names{"reference", "point", "supersample[n=2]"});
+  const std::string page = desk.bytes("out/report.html");
+  for (const ImageResult& image : results.images) {
+    if (image.kind == "image" || image.scale > 0) continue;
+    CAPTURE(image.sampler, image.kind);
+    CHECK(
+        expected.contains((image.sampler == "reference" ? "(reference)" : image.sampler) + "/" + image.kind + ".png"));
+    CHECK_FALSE(image.caption.empty());
+    CHECK(page.find(image.caption) != std::string::npos);
+  }
+}
+
+TEST_CASE("images are of the still, and columns over time hold the columns of the frames' images") {
+  const TinyDesk desk(moving_experiment());
+  REQUIRE(desk.moire({"run", "tiny", "-o", "out"}).code == 0);
+  for (const int frame : {0, 1, 2}) {
+    // Each frame as the still picture of an experiment without time, its camera where the track has it.
+    desk.file("still/experiment.json",
+              tiny_experiment(R"(["point"])", R"(["error"])",
+                              R"([{"type": "heightfield", "label": "hills", "size": 64, "view": {"x": )" +
+                                  std::to_string(30 + 2.25 * frame) + "}}]"));
+    REQUIRE(desk.moire({"run", "still", "-o", "alone"}).code == 0);
+    for (const char* sampler : {"point", "(reference)"}) {
+      CAPTURE(frame, sampler);
+      const auto place = std::filesystem::path("images/hills") / sampler;
+      const auto alone = pixels(desk.path() / "alone" / place / "frame_0000.png");
+      const auto over_time = pixels(desk.path() / "out" / place / "column_over_time.png");
+      REQUIRE(alone.size() == 24 * 16);
+      REQUIRE(over_time.size() == 3 * 16);
+      for (std::size_t y = 0; y < 16; ++y)
+        CHECK(over_time[3 * y + static_cast<std::size_t>(frame)] == alone[24 * y + 9]);
+      if (frame == 1) CHECK(pixels(desk.path() / "out" / place / "frame_0000.png") == alone);
+    }
+  }
+}
+
+TEST_CASE("the experiment that an animation leaves gives the same pictures again, on any number of threads") {
+  const TinyDesk desk(moving_experiment());
+  CHECK(desk.moire({"run", "tiny", "-o", "one", "-j", "1"}).code == 0);
+  CHECK(desk.moire({"run", "one/experiment.json", "-o", "two", "-j", "2"}).code == 0);
+  CHECK(desk.files("two/images") == desk.files("one/images"));
+  CHECK(desk.bytes("two/experiment.json") == desk.bytes("one/experiment.json"));
+  CHECK(desk.bytes("two/results.csv") == desk.bytes("one/results.csv"));
+}
+
+TEST_CASE("a picture that cannot be drawn costs no other picture and no number") {
+  // The window sees the terrain to its end, far beyond what a footprint in plan may span.
+  const TinyDesk desk(moving_experiment());
+  const Ended ended =
+      desk.moire({"run", "tiny", "-o", "out", "--set", "scenes[0].far=20000", "--set", "scenes[0].view.height=300",
+                  "--set", "pictures[0].window.y=0", "--set", "pictures[0].window.height=8"});
+  CHECK(ended.code == 1);
+  const Results results = report::read_json(desk.path() / "out");
+  REQUIRE(results.failures.size() == 2);
+  Names failed, drawn;
+  for (const Failure& failure : results.failures) {
+    failed.insert(failure.sampler);
+    CHECK(failure.message.starts_with("footprint: spans "));
+    CHECK(failure.message.ends_with(" texels, at most 8192 are shown; choose a smaller window"));
+  }
+  CHECK(failed == Names{"point", "supersample[n=2]"});
+  for (const ImageResult& image : results.images) drawn.insert(image.sampler + "/" + image.kind);
+  for (const std::string sampler : {"point", "supersample[n=2]"}) {
+    CHECK_FALSE(drawn.contains(sampler + "/footprint_1"));
+    CHECK(drawn.contains(sampler + "/footprint_2"));
+    CHECK(drawn.contains(sampler + "/column_over_time"));
+  }
+  CHECK(samplers_in(results).size() == 3);
 }
 
 TEST_CASE("progress goes to stderr, a line a job, and the summary to stdout") {

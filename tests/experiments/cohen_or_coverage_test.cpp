@@ -48,7 +48,7 @@ TEST_CASE("in the paper's views point sampling covers what the paper says, and m
     REQUIRE(choice);
     const auto scene = choice->plugin->scene->make(choice->settings);
     const auto frame = scene->frame(choice->settings, experiment.image);
-    const auto exact = exact_fragments(Against::column, {}, *frame, 1, workers);
+    const auto exact = exact_fragments(Against::column, {}, *frame, 0, 1, workers);
     double last = 0;
     for (const SamplerChoice& sampler : experiment.samplers) {
       CAPTURE(sampler.name);

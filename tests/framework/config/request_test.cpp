@@ -15,6 +15,28 @@ void check_same(const SamplerChoice& a, const SamplerChoice& b) {
   CHECK(a.lookup == b.lookup);
 }
 
+void check_same(const Frames& a, const Frames& b) {
+  CHECK(a.count == b.count);
+  CHECK(a.still == b.still);
+  REQUIRE(a.tracks.size() == b.tracks.size());
+  for (std::size_t i = 0; i < a.tracks.size(); ++i) {
+    CHECK(a.tracks[i].parameter == b.tracks[i].parameter);
+    REQUIRE(a.tracks[i].keys.size() == b.tracks[i].keys.size());
+    for (std::size_t k = 0; k < a.tracks[i].keys.size(); ++k) {
+      CHECK(a.tracks[i].keys[k].frame == b.tracks[i].keys[k].frame);
+      CHECK(a.tracks[i].keys[k].value == b.tracks[i].keys[k].value);
+    }
+  }
+}
+
+void check_same(const std::vector<PassChoice>& a, const std::vector<PassChoice>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].name == b[i].name);
+    CHECK(a[i].settings == b[i].settings);
+  }
+}
+
 void check_same(const Experiment& a, const Experiment& b) {
   CHECK(a.name == b.name);
   CHECK(a.question == b.question);
@@ -31,11 +53,9 @@ void check_same(const Experiment& a, const Experiment& b) {
   for (std::size_t i = 0; i < a.samplers.size(); ++i) check_same(a.samplers[i], b.samplers[i]);
   REQUIRE(a.reference.has_value() == b.reference.has_value());
   if (a.reference) check_same(*a.reference, *b.reference);
-  REQUIRE(a.metrics.size() == b.metrics.size());
-  for (std::size_t i = 0; i < a.metrics.size(); ++i) {
-    CHECK(a.metrics[i].name == b.metrics[i].name);
-    CHECK(a.metrics[i].settings == b.metrics[i].settings);
-  }
+  check_same(a.frames, b.frames);
+  check_same(a.metrics, b.metrics);
+  check_same(a.pictures, b.pictures);
 }
 
 TEST_CASE("reading the request gives the same experiment, wherever in the project it lies") {
@@ -53,6 +73,9 @@ TEST_CASE("reading the request gives the same experiment, wherever in the projec
       {R"("reference": {"type": "supersample", "n": 64})",
        R"("metrics": ["speed", {"type": "coverage", "against": "pixel"}, "error"])"},
       {R"("reference": {"type": "point", "label": "auto"})"},
+      {R"("frames": {"count": 1000000, "still": 999999,
+                     "animate": {"view.pitch_deg": [[0, -90], [7, 0.1], [999999, -1e-300]], "view.height": [[3, 5]]}})",
+       R"("pictures": ["strip", "plan", {"type": "strip", "column": 63}])"},
   };
   std::filesystem::create_directories(folder.path() / "results/edges");
   for (const auto& lines : experiments) {

@@ -34,9 +34,9 @@ constexpr Parameter heightfield_parameters[] = {
     file("height", "heights"),
     choice("generate", "nothing", "nothing fractal", "a terrain that needs no file"),
     flag("hierarchy", false, "mean voxels"),
-    real("view.pitch_deg", -20, -90, 90, "degrees", "down is negative"),
-    real("view.height", 100, -infinity, infinity, "m", "of the eye"),
-    color("sky", "#80b0ff", "behind it all"),
+    real("view.pitch_deg", -20, -90, 90, "degrees", "down is negative").per_frame(),
+    real("view.height", 100, -infinity, infinity, "m", "of the eye").per_frame(),
+    color("sky", "#80b0ff", "behind it all").per_frame(),
     text("credit", "", "who made the data"),
 };
 constexpr ScenePlugin heightfield{
@@ -72,6 +72,20 @@ constexpr PassDescription error{
     .name = "error", .summary = "Colour.", .source = "", .parameters = {}, .quantities = {}};
 constexpr PassDescription speed{.name = "speed", .summary = "Time.", .source = "", .parameters = {}, .quantities = {}};
 
+constexpr Parameter strip_parameters[] = {integer("column", 0, 0, 16383, "", "which")};
+constexpr PassDescription strip{.name = "strip",
+                                .summary = "A column over time.",
+                                .source = "",
+                                .parameters = strip_parameters,
+                                .problem = [](const Settings& settings, const Extent& extent) -> std::string {
+                                  if (extent.frames < 2) return "needs two frames";
+                                  return settings.integer("column") < extent.image.width ? "" : "leaves the image";
+                                }};
+constexpr PassDescription plan{
+    .name = "plan", .summary = "A map.", .source = "", .parameters = {}, .asks = [](const Settings&) {
+      return Questions::surface;
+    }};
+
 Plugin scene(std::string name, const ScenePlugin& plugin) {
   return {.file = {}, .kind = Kind::scene, .name = std::move(name), .version = "1.0.0", .scene = &plugin};
 }
@@ -88,7 +102,8 @@ const Vocabulary& vocabulary() {
   static constexpr const PassDescription* metrics[] = {&coverage, &error, &speed};
   static constexpr NamedSummary lookups[] = {
       {"nearest", "one texel"}, {"linear_across", "two texels"}, {"bilinear", "four texels"}};
-  static const Vocabulary result{&catalog, metrics, lookups};
+  static constexpr const PassDescription* pictures[] = {&plan, &strip};
+  static const Vocabulary result{&catalog, metrics, lookups, pictures};
   return result;
 }
 

@@ -129,6 +129,18 @@ TEST_CASE("error maps have one scale a row; those of another scale have a row of
   CHECK(count(ResultFolder(results).page(), "class=\"scale\"") == 2);
 }
 
+TEST_CASE("pictures of how a method samples have a title and a caption, and not the error of the image") {
+  Results results = test::sample_results();
+  const std::size_t errors = count(ResultFolder(results).page(), "error.rmse 12.5");
+  results.images.push_back(
+      {"hill, steep", "point", "enlarged_pixel_2", "images/hill/point.png", 0, "Pixel (1, 2): 3 < 4 fragments"});
+  const std::string page = ResultFolder(results).page();
+  CHECK(contains(page, "<h3>Enlarged pixel 2</h3>"));
+  CHECK(contains(page, "<span class=\"what\">Pixel (1, 2): 3 &lt; 4 fragments</span>"));
+  CHECK(count(page, "error.rmse 12.5") == errors);
+  CHECK(errors > 0);
+}
+
 TEST_CASE("an interrupted run says so, a whole one does not") {
   Results results = test::sample_results();
   CHECK_FALSE(contains(ResultFolder(results).page(), "This run was interrupted."));

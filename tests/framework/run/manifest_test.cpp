@@ -6,6 +6,7 @@
 
 #include "message_of.h"
 #include "metrics/registry.h"
+#include "pictures/registry.h"
 #include "temporary_folder.h"
 
 namespace moire::test {
@@ -92,6 +93,20 @@ TEST_CASE("whatever changes a result changes the key") {
   CHECK(changed([](Job& j) { j.experiment.seed = 2; }));
   CHECK(changed([](Job& j) { j.experiment.metrics[0].settings.set("bad_above", 9.0); }));
   CHECK(changed([](Job& j) { j.experiment.metrics.erase(j.experiment.metrics.begin()); }));
+  CHECK(changed([](Job& j) { j.experiment.metrics.push_back({"flicker", Settings(flicker_description.parameters)}); }));
+  CHECK(changed([](Job& j) { j.experiment.frames.count = 2; }));
+  CHECK(changed([](Job& j) {
+    j.experiment.frames.count = 2;
+    j.experiment.frames.still = 1;
+  }));
+  CHECK(changed([](Job& j) { j.experiment.frames.tracks = {{"far", {{0, 10}}}}; }));
+  CHECK(changed([](Job& j) { j.experiment.frames.tracks = {{"far", {{0, 11}}}}; }));
+  CHECK(changed([](Job& j) { j.experiment.frames.tracks = {{"near", {{0, 10}}}}; }));
+  CHECK(changed([](Job& j) { j.experiment.pictures = {{"footprint", Settings(footprint_description.parameters)}}; }));
+  CHECK(changed([](Job& j) {
+    j.experiment.pictures = {{"footprint", Settings(footprint_description.parameters)}};
+    j.experiment.pictures[0].settings.set("in", std::string("image"));
+  }));
   CHECK(changed([](Job& j) { j.scene.settings.set("far", 11.0); }));
   CHECK(changed([](Job& j) { j.scene.settings.set("height", std::string()); }));
   CHECK(changed([](Job& j) { j.sampler.settings.set("n", std::int64_t{5}); }));

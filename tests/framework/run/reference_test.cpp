@@ -122,4 +122,35 @@ TEST_CASE("a reference says how it was made, and how far it is from one of half 
   CHECK(sure.how == "exact: no sampling error");
 }
 
+TEST_CASE("exact fragments are of the frame that is asked for: a reference may draw random numbers") {
+  // Deposits one element, named after the frame's number and the seed.
+  class Numbered final : public Sampler {
+    class Work final : public Rendering {
+     public:
+      explicit Work(Element element) : element_(element) {}
+      void render(PixelBlock& block) const override {
+        for (std::size_t slot = 0; slot < block.slots(); ++slot) block.add(slot, element_, 1, {});
+      }
+
+     private:
+      Element element_;
+    };
+
+   public:
+    std::unique_ptr<Rendering> begin(const RenderRequest& request) const override {
+      return std::make_unique<Work>(static_cast<Element>(request.frame_number) * 100 + request.seed);
+    }
+  };
+  static constexpr SamplerPlugin numbered{
+      .summary = "", .source = "", .make = [](const Settings&) -> std::unique_ptr<Sampler> {
+        return std::make_unique<Numbered>();
+      }};
+  const Plugin plugin = sampler("numbered", numbered);
+  const ReferenceChoice choice{{"numbered", &plugin, Settings(), "nearest"}, {}, false};
+  const auto blocks = exact_fragments(Against::pixel, choice, OneColor(), 7, 5, Workers(1));
+  REQUIRE(blocks.size() == 1);
+  REQUIRE(blocks[0].pixel(0).size() == 1);
+  CHECK(blocks[0].pixel(0)[0].element == 705);
+}
+
 }  // namespace moire::test

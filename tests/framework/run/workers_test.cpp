@@ -87,4 +87,19 @@ TEST_CASE("what a consumer throws comes out of the call, whatever it is") {
   }
 }
 
+TEST_CASE("work is called once for each number below the count, and what it throws comes out") {
+  for (const int threads : {1, 2}) {
+    const Workers workers(threads);
+    std::vector<std::atomic<int>> calls(100);
+    workers.for_each(calls.size(), [&](std::size_t index) { ++calls[index]; });
+    CHECK(std::all_of(calls.begin(), calls.end(), [](int count) { return count == 1; }));
+    workers.for_each(0, [](std::size_t) { throw 7; });
+    CHECK_THROWS_AS(workers.for_each(9,
+                                     [](std::size_t index) {
+                                       if (index == 5) throw 7;
+                                     }),
+                    int);
+  }
+}
+
 }  // namespace moire::test
