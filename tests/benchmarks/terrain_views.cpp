@@ -74,7 +74,7 @@ void OnePiece::area(PixelBlock& block) const {
     const std::size_t bottom = block.slot(x, block.height - 1);
     block.fill([&](auto add) {
       look_.stretches<false>(
-          {x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts, block.counters,
+          {{x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts}, 0, block.counters,
           [&](std::size_t slot, double weight, const auto& walk, const heightfield::Voxel* voxel, const auto&,
               Tally::Sum& sum) {
             const Color color = voxel ? heightfield::color_of(*voxel->cell) : sky_;

@@ -32,12 +32,21 @@ void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::sp
   });
 }
 
-void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const double> cuts,
-                             const moire::Lookup* lookup, moire::Tally& pieces) const {
+void HeightfieldFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup* lookup,
+                             moire::Tally& pieces) const {
+  std::size_t first_slot = 0;
+  for (const moire::ImageLine& line : lines) {
+    follow(line, first_slot, lookup, pieces);
+    first_slot += line.stretches();
+  }
+}
+
+void HeightfieldFrame::follow(const moire::ImageLine& line, std::size_t first_slot, const moire::Lookup* lookup,
+                              moire::Tally& pieces) const {
   with_walk(look_.manner().grid, [&](auto grid) {
     if (lookup) {
       look_.stretches<grid()>(
-          from, to, cuts, pieces.counters,
+          line, first_slot, pieces.counters,
           [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction& d,
               moire::Tally::Sum&) {
             if (!voxel) return pieces.add(slot, moire::background, weight, sky_);
@@ -49,7 +58,7 @@ void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const
     }
     pieces.fill([&](auto add) {
       look_.stretches<grid()>(
-          from, to, cuts, pieces.counters,
+          line, first_slot, pieces.counters,
           [&](std::size_t slot, double weight, const auto& walk, const Voxel* voxel, const Direction&,
               moire::Tally::Sum& sum) {
             const moire::Color color = voxel ? color_of(*voxel->cell) : sky_;

@@ -20,14 +20,17 @@ class HeightfieldFrame final : public moire::Frame, private moire::Lines, privat
 
  private:
   // Lines.
-  void along(moire::Point from, moire::Point to, std::span<const double> cuts, const moire::Lookup* lookup,
-             moire::Tally& pieces) const override;
+  void along(std::span<const moire::ImageLine> lines, const moire::Lookup* lookup, moire::Tally& pieces) const override;
   std::optional<moire::Pole> pole() const override { return look_.camera().nadir(); }
 
   // Surface.
   void locate(std::span<const moire::SamplePoint> points, std::span<moire::SurfacePoint> out,
               moire::Counters& counters) const override;
   const moire::Texture& texture() const override { return texture_; }
+
+  // One line; its stretches are the slots from first_slot on.
+  void follow(const moire::ImageLine& line, std::size_t first_slot, const moire::Lookup* lookup,
+              moire::Tally& pieces) const;
 
   Look look_;
   moire::Color sky_;

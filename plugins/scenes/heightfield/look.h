@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <moire/error.h>
-#include <moire/geometry.h>
+#include <moire/frame.h>
 #include <moire/tally.h>
 #include <moire/texture.h>
 
@@ -33,6 +33,7 @@ class Look {
       : size_(size), view_(std::move(view)), camera_(camera), manner_(manner) {}
 
   const moire::ImageSize& size() const { return size_; }
+  const View& view() const { return view_; }
   const Camera& camera() const { return camera_; }
   const Manner& manner() const { return manner_; }
 
@@ -40,13 +41,26 @@ class Look {
   template <bool grid, class Met, class Missed>
   void rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const;
 
-  // Calls add(slot, weight, walk, voxel, direction, sum) for each visible run of the stretches between cuts (see
-  // moire::Lines), voxel null for the sky, and finish(slot, sum) after each stretch; `sum` begins empty. What a stretch
+  // Calls add(slot, weight, walk, voxel, direction, sum) for each visible run of the line's stretches, the slots from
+  // first_slot on, voxel null for the sky, and finish(slot, sum) after each stretch; `sum` begins empty. What a stretch
   // sees is exact in the vertical plane through its middle: along lines through the nadir point that is the plane of
   // the line itself. Error: the line is neither upright nor through the nadir point.
   template <bool grid, class Add, class Finish>
-  void stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters, Add add,
+  void stretches(const moire::ImageLine& line, std::size_t first_slot, moire::Counters& counters, Add add,
                  Finish finish) const;
+
+  // How rays and planes change along an image line.
+  struct Course {
+    Direction start, step;  // the ray at its begin, and what a pixel along it adds
+    // A line through the nadir point lies in one vertical plane, best known at its end far from there. Beyond the point
+    // it is seen the other way.
+    Direction far_end;
+    Plane near_side, other_side;  // of the nadir or zenith point
+    bool radial;                  // such a line
+    double turning;  // distance where elevation turns: at that point, and on other upright lines at its height
+  };
+  // Error: the line is neither upright nor through the nadir point.
+  Course course_of(moire::Point from, moire::Point to) const;
 
   // Where a ray of this slope, which rises above nothing before, meets the voxel's box: its near wall or its top.
   double meeting(const Voxel& voxel, double slope) const {
@@ -111,16 +125,12 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
 // Shorter stretches of an image line, in pixels, are not looked at on their own.
 constexpr double least_stretch = 1e-9;
 
-template <bool grid, class Add, class Finish>
-void Look::stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
-                     Add add, Finish finish) const {
+inline Look::Course Look::course_of(moire::Point from, moire::Point to) const {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
   const Direction start = camera_.direction(from.x, from.y);
-  const Direction step = ux * camera_.right() + uy * camera_.down();  // a pixel along the line
+  const Direction step = ux * camera_.right() + uy * camera_.down();
 
-  // A line through the nadir point lies in one vertical plane, best known at its end far from there. Beyond the point
-  // it is seen the other way.
   const moire::Pole nadir = camera_.nadir();
   const double off = (nadir.x - from.x * nadir.w) * uy - (nadir.y - from.y * nadir.w) * ux;
   const bool radial = std::abs(off) <= 1e-9 * (std::abs(nadir.x) + std::abs(nadir.y) + size_.width * std::abs(nadir.w));
@@ -130,9 +140,17 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   }
   const Direction end = start + length * step;
   const Direction far_end = std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end;
-  const Plane near_side = plane_of(far_end), other_side = plane_of(-1 * far_end);  // of the nadir or zenith point
-  // Where elevation turns: at that point, and on other upright lines at its height.
+  const Plane near_side = plane_of(far_end);
   const double turning = radial ? -near_side.along(start) / near_side.along(step) : (nadir.y / nadir.w - from.y) / uy;
+  return {start, step, far_end, near_side, plane_of(-1 * far_end), radial, turning};
+}
+
+template <bool grid, class Add, class Finish>
+void Look::stretches(const moire::ImageLine& line, std::size_t first_slot, moire::Counters& counters, Add add,
+                     Finish finish) const {
+  const auto& [from, to, cuts] = line;
+  const Course course = course_of(from, to);
+  const auto& [start, step, far_end, near_side, other_side, radial, turning] = course;
 
   Walk<grid> walk(view_);
   bool walking = false;
@@ -204,7 +222,7 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     const bool turns = turning > t0 + least_stretch && turning < t1 - least_stretch;
     const double split = turns ? turning : t1;
     for (const auto& [begin, until] : {std::pair{t0, split}, std::pair{split, t1}}) {
-      if (begin < until) look_along(i, begin, until);
+      if (begin < until) look_along(first_slot + i, begin, until);
     }
   }
 }
