@@ -1,6 +1,9 @@
 #include "frame.h"
 
 #include <type_traits>
+#include <vector>
+
+#include "packet.h"
 
 namespace heightfield {
 
@@ -15,6 +18,9 @@ void with_walk(bool grid, Work work) {
     work(std::false_type{});
   }
 }
+
+// Fewer lines than these are followed as fast one by one.
+constexpr std::size_t fewest_in_packets = 3;
 
 }  // namespace
 
@@ -34,10 +40,21 @@ void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::sp
 
 void HeightfieldFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup* lookup,
                              moire::Tally& pieces) const {
-  std::size_t first_slot = 0;
+  std::vector<std::size_t> first_slots;
+  std::size_t slots = 0;
   for (const moire::ImageLine& line : lines) {
-    follow(line, first_slot, lookup, pieces);
-    first_slot += line.stretches();
+    first_slots.push_back(slots);
+    slots += line.stretches();
+  }
+
+  std::vector<bool> followed(lines.size());
+  const bool known = !lookup || lookup->kind() == moire::Lookup::Kind::linear_across;
+  if (lines.size() >= fewest_in_packets && known && !pieces.recording() && packets_fit(look_)) {
+    const Interpolation interpolation = lookup ? Interpolation::linear_across : Interpolation::nearest;
+    follow_in_packets(look_, sky_, interpolation, lines, first_slots, pieces, followed);
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (!followed[k]) follow(lines[k], first_slots[k], lookup, pieces);
   }
 }
 

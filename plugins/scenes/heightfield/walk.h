@@ -89,6 +89,20 @@ class Walk {
     return moire::texel_element(at.level, at.i, at.j);
   }
 
+  // The part of the walk that lies ahead within one level, for those who step it themselves. In voxels of the level.
+  struct Leg {
+    int level;
+    double p, end, end_of_level;  // where it stands, and where it ends
+    double stop;                  // x of the far limit, infinite where `end` comes before that in every plane
+    double sure_end;              // up to here the far limit lies ahead in every plane
+    double place;                 // what to add to p to count steps over all levels
+    double eye_p, eye_q;          // voxels of level 0, reduced to one mirror period
+    std::int64_t shift_q;         // what was taken away from the latter
+  };
+  Leg leg() const;
+  // Goes on beyond the end of a leg stepped so far in a plane with this m. False: the far limit is reached.
+  bool next_leg(const Leg& stepped, double m);
+
   const Plane& plane() const { return plane_; }
   // Across coordinate of the track at distance x, in the walk's axes.
   double across(double x) const { return eye_q_ + x * plane_.m; }
@@ -107,6 +121,9 @@ class Walk {
   double unit() const;
   // Finds how far to walk from here in one go: as far as all planes see, and beyond that to the far limit of this one.
   void find_end(double unit);
+  std::int64_t sure_end() const {
+    return static_cast<std::int64_t>(std::floor((eye_p_ + sure_distance_) * inverse_width_));
+  }
   bool ends_at_far_limit() const { return stop_ < endless_distance && end_ < end_of_level_; }
   // First step of the walk, in voxels of level 0, that belongs to `level`. Whole voxels only, but for the eye's own.
   std::int64_t begin_of_level(int level, double unit) const;
@@ -194,10 +211,10 @@ double Walk<grid>::unit() const {
 
 template <bool grid>
 void Walk<grid>::find_end(double unit) {
-  const auto sure_end = static_cast<std::int64_t>(std::floor((eye_p_ + sure_distance_) * inverse_width_));
-  if (p_ < sure_end) {
+  const std::int64_t sure = sure_end();
+  if (p_ < sure) {
     stop_ = endless_distance;
-    end_ = std::min(end_of_level_, sure_end);
+    end_ = std::min(end_of_level_, sure);
   } else {
     stop_ = view_.far / unit;
     end_ = std::min(end_of_level_, static_cast<std::int64_t>(std::ceil((eye_p_ + stop_) * inverse_width_)));
@@ -250,6 +267,22 @@ bool Walk<grid>::enter_counted(std::int64_t p0) {
   if (!entered) end_ = p_;
   place_of_level_ = before - place();
   return entered;
+}
+
+template <bool grid>
+typename Walk<grid>::Leg Walk<grid>::leg() const {
+  const auto real = [](std::int64_t n) { return static_cast<double>(n); };
+  return {level_, real(p_), real(end_), real(end_of_level_), stop_, real(sure_end()), real(place_of_level_),
+          eye_p_, eye_q_,   shift_q_};
+}
+
+template <bool grid>
+bool Walk<grid>::next_leg(const Leg& stepped, double m) {
+  plane_.m = m;
+  p_ = static_cast<std::int64_t>(stepped.p);
+  end_ = static_cast<std::int64_t>(stepped.end);
+  stop_ = stepped.stop;
+  return !ends_at_far_limit() && enter_counted(end_ << level_);
 }
 
 template <bool grid>

@@ -1,0 +1,556 @@
+// The walk of Cohen-Or 1997, Fig. 12, over many columns at once: Look::stretches and Walk::climb, seen from above all
+// summits. In every step each lane looks at one voxel. What happens rarely (a lane enters another level) is done lane
+// by lane by the walk itself.
+#include "packet_lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "packet_lanes.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+
+namespace heightfield::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+constexpr D d;
+constexpr std::size_t lanes = hn::MaxLanes(d);
+using I = hn::Rebind<std::int32_t, D>;
+using Wide = hn::Rebind<std::int64_t, D>;
+using Real = hn::Vec<D>;
+using Int = hn::Vec<I>;
+using Mask = hn::Mask<D>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+HWY_INLINE Real real(double value) { return hn::Set(d, value); }
+// Of the same bits as std::max and std::min: which of two equal ones is taken matters for signs of zero.
+HWY_INLINE Real larger(Real a, Real b) { return hn::Max(b, a); }
+HWY_INLINE Real smaller(Real a, Real b) { return hn::Min(b, a); }
+
+template <class Body>
+HWY_INLINE void for_each_lane(Mask mask, Body body) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(d, mask, bytes.data());
+  for (unsigned left = bytes[0]; left != 0; left &= left - 1) body(static_cast<std::size_t>(__builtin_ctz(left)));
+}
+
+struct Cells {
+  Real height, r, g, b;
+};
+
+// Rows of four floats to columns.
+struct Columns {
+  hn::Vec<hn::Full128<float>> height, r, g, b;
+};
+HWY_INLINE Columns four_cells(const Cell* const* cells) {
+  constexpr hn::Full128<float> f;
+  const auto load = [&](int k) HWY_ATTR { return hn::LoadU(f, &cells[k]->height); };
+  const auto c0 = load(0), c1 = load(1), c2 = load(2), c3 = load(3);
+  const auto low01 = hn::InterleaveLower(f, c0, c1), low23 = hn::InterleaveLower(f, c2, c3);
+  const auto high01 = hn::InterleaveUpper(f, c0, c1), high23 = hn::InterleaveUpper(f, c2, c3);
+  const hn::Full128<double> pair;
+  const auto lower = [&](auto a, auto b) HWY_ATTR {
+    return hn::BitCast(f, hn::InterleaveLower(pair, hn::BitCast(pair, a), hn::BitCast(pair, b)));
+  };
+  const auto upper = [&](auto a, auto b) HWY_ATTR {
+    return hn::BitCast(f, hn::InterleaveUpper(pair, hn::BitCast(pair, a), hn::BitCast(pair, b)));
+  };
+  return {lower(low01, low23), upper(low01, low23), lower(high01, high23), upper(high01, high23)};
+}
+
+template <class Tag>
+HWY_INLINE Cells load_cells(Tag tag, const Cell* const* cells) {
+  constexpr hn::Rebind<float, Tag> f;
+  if constexpr (hn::MaxLanes(tag) == 2) {
+    const std::array<const Cell*, 4> twice{cells[0], cells[1], cells[0], cells[1]};
+    const Columns c = four_cells(twice.data());
+    const auto promoted = [&](auto v) HWY_ATTR { return hn::PromoteTo(tag, hn::LowerHalf(f, v)); };
+    return {promoted(c.height), promoted(c.r), promoted(c.g), promoted(c.b)};
+  } else if constexpr (hn::MaxLanes(tag) == 4) {
+    const Columns c = four_cells(cells);
+    return {hn::PromoteTo(tag, c.height), hn::PromoteTo(tag, c.r), hn::PromoteTo(tag, c.g), hn::PromoteTo(tag, c.b)};
+  } else {
+    const Columns a = four_cells(cells), b = four_cells(cells + 4);
+    const auto promoted = [&](auto low, auto high) HWY_ATTR { return hn::PromoteTo(tag, hn::Combine(f, high, low)); };
+    return {promoted(a.height, b.height), promoted(a.r, b.r), promoted(a.g, b.g), promoted(a.b, b.b)};
+  }
+}
+
+// What the rows of each lane are walked with: row after row, field after field, lane after lane; the last row ends it.
+class Rows {
+ public:
+  enum Field : std::size_t { m, first_slope, last_slope, end, fields };
+  static constexpr std::size_t size = fields * lanes;
+
+  // Marks lines of which a row lies in another octant or falls along the line.
+  void prepare(const PacketTask& task, std::span<PacketLine> lines);
+
+  std::size_t count() const { return count_; }
+  const double* data() const { return values_.data(); }
+
+ private:
+  std::size_t count_ = 0;
+  std::vector<double> values_;
+};
+
+struct Rays {
+  std::array<double, lanes> x{}, y{}, z{}, plane_x{}, plane_y{}, own_plane{};
+
+  explicit Rays(std::span<const PacketLine> lines) {
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const PacketLine& line = lines[std::min(k, lines.size() - 1)];
+      x[k] = line.start.x, y[k] = line.start.y, z[k] = line.start.z;
+      plane_x[k] = line.plane_ray.x, plane_y[k] = line.plane_ray.y;
+      own_plane[k] = line.one_plane ? 0 : 1;
+    }
+  }
+};
+
+HWY_INLINE Real along(const Plane& octant, Real x, Real y) {
+  const Real p = octant.swapped ? y : x;
+  return octant.flip_p ? hn::Neg(p) : p;
+}
+
+HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> lines) {
+  const Rays rays(lines);
+  const Plane& octant = task.octant;
+  const Real x = hn::LoadU(d, rays.x.data()), y = hn::LoadU(d, rays.y.data()), z = hn::LoadU(d, rays.z.data());
+  const Real plane_x = hn::LoadU(d, rays.plane_x.data()), plane_y = hn::LoadU(d, rays.plane_y.data());
+  const Mask own_plane = hn::Gt(hn::LoadU(d, rays.own_plane.data()), hn::Zero(d));
+  const Real step_x = real(task.step.x), step_y = real(task.step.y), step_z = real(task.step.z);
+  const Real p0 = along(octant, x, y), p1 = along(octant, step_x, step_y);
+  const Real zero = hn::Zero(d);
+  Mask fits = hn::Eq(zero, zero);
+
+  count_ = task.cuts.size() - 1;
+  values_.resize((count_ + 1) * size);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Real t0 = real(task.cuts[i]), t1 = real(task.cuts[i + 1]),
+               middle = real((task.cuts[i] + task.cuts[i + 1]) / 2);
+    const Real ray_x = hn::Add(x, hn::Mul(middle, step_x)), ray_y = hn::Add(y, hn::Mul(middle, step_y));
+    const Real ray_z = hn::Add(z, hn::Mul(middle, step_z));
+    const Real of_plane_x = hn::IfThenElse(own_plane, ray_x, plane_x);
+    const Real of_plane_y = hn::IfThenElse(own_plane, ray_y, plane_y);
+    const Real width_x = hn::Abs(of_plane_x), width_y = hn::Abs(of_plane_y);
+    const Real minor = smaller(width_x, width_y), major = larger(width_x, width_y);
+    const auto slope_at = [&](Real t) HWY_ATTR {
+      const Real advance = larger(hn::Add(p0, hn::Mul(t, p1)), real(least_advance));
+      return hn::Div(hn::Add(z, hn::Mul(t, step_z)), advance);
+    };
+    const Real s0 = slope_at(t0), s1 = slope_at(t1);
+
+    const Real p = octant.swapped ? of_plane_y : of_plane_x, q = octant.swapped ? of_plane_x : of_plane_y;
+    const Mask same_axis = octant.swapped ? hn::Gt(width_y, width_x) : hn::Not(hn::Gt(width_y, width_x));
+    const Mask same_p = octant.flip_p ? hn::Lt(p, zero) : hn::Not(hn::Lt(p, zero));
+    const Mask same_q = octant.flip_q ? hn::Lt(q, zero) : hn::Not(hn::Lt(q, zero));
+    fits = hn::And(fits, hn::And(hn::And(same_axis, hn::Gt(major, zero)), hn::And(same_p, same_q)));
+    // Rises along the line, on this side of the nadir; and not so level that places on the texture can not be told.
+    fits = hn::And(fits, hn::And(hn::Le(s0, s1), hn::Ge(along(octant, ray_x, ray_y), zero)));
+    if (task.interpolation != Interpolation::nearest) {
+      fits = hn::And(fits, hn::Ge(hn::Abs(ray_z), real(1e-12)));
+    }
+    double* row = values_.data() + i * size;
+    hn::StoreU(hn::Div(minor, major), d, row + m * lanes);
+    hn::StoreU(s0, d, row + first_slope * lanes);
+    hn::StoreU(s1, d, row + last_slope * lanes);
+    hn::StoreU(t1, d, row + end * lanes);
+  }
+  // Beyond the last row nothing is higher than the ray, nor is the ray above the horizon.
+  std::fill_n(values_.data() + count_ * size, size, std::numeric_limits<double>::quiet_NaN());
+  std::fill_n(values_.data() + count_ * size + m * lanes, lanes, 0.0);
+
+  for_each_lane(hn::Not(fits), [&](std::size_t k) {
+    if (k < lines.size()) lines[k].fits = false;
+  });
+}
+
+// Lanes side by side.
+template <Interpolation interpolation>
+class Packet {
+ public:
+  void begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines, moire::Tally& pieces);
+  bool walks() const { return walking_ > 0; }
+  void step();
+  void finish();
+
+ private:
+  void end_rows(Mask ended);
+  void find_end(Mask changed, Real m);
+  void pass_over();
+  void load_leg(std::size_t k);
+  HWY_INLINE Real reduced(Real index, Real inverse_period, Int period) const;
+  HWY_INLINE Int folded(Real index, Real inverse_period, Int period) const {
+    // Whole laps, or one less: the inverse is a little too small.
+    const Int laps = hn::DemoteTo(I(), hn::Mul(index, inverse_period));
+    const Int rest = hn::Sub(hn::DemoteTo(I(), index), hn::Mul(laps, period));
+    const hn::Rebind<std::uint32_t, D> u;
+    const Int reduced = hn::BitCast(I(), hn::Min(hn::BitCast(u, rest), hn::BitCast(u, hn::Sub(rest, period))));
+    return hn::Min(reduced, hn::Sub(hn::Sub(period, hn::Set(I(), 1)), reduced));
+  }
+  // Where the cells of these places lie in their level.
+  HWY_INLINE Int places(Real p, Real q) const {
+    const Int at_p = folded(p, inverse_period_p_, period_p_), at_q = folded(q, inverse_period_q_, period_q_);
+    const Int row = swapped_ ? at_p : at_q, column = swapped_ ? at_q : at_p;
+    return hn::Add(hn::Mul(row, row_width_), column);
+  }
+  HWY_INLINE void add(Real weight, Real r, Real g, Real b) {
+    weight_ = hn::Add(weight_, weight);
+    r_ = hn::Add(r_, hn::Mul(weight, r));
+    g_ = hn::Add(g_, hn::Mul(weight, g));
+    b_ = hn::Add(b_, hn::Mul(weight, b));
+  }
+  HWY_INLINE void deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q, Real x1);
+
+  // Of all lanes.
+  const PacketTask* task_ = nullptr;
+  const double* rows_ = nullptr;
+  std::size_t row_count_ = 0;
+  moire::Tally* pieces_ = nullptr;
+  bool swapped_ = false;
+  double z_ = 0, eye_p_ = 0, eye_q_unscaled_ = 0;
+  std::int64_t shift_q_ = 0;
+  std::uint64_t hits_ = 0;
+  int walking_ = 0;
+
+  // Of the row, by lane.
+  std::array<std::size_t, lanes> slots_{}, row_{};
+  Real row_place_, m_, scaled_m_, slope_, last_slope_, at_, end_at_, weight_, r_, g_, b_;
+  // Of the leg.
+  Real p_, live_, end_, stop_, eye_q_, width_, inverse_width_, end_of_level_, sure_end_, step_place_;
+  Real inverse_period_p_, inverse_period_q_, first_hit_, last_hit_, line_p0_, line_z_;
+  Int period_p_, period_q_, row_width_;
+  std::array<const Cell*, lanes> cells_{};
+  std::vector<Walk<false>> walks_;
+};
+
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows& rows,
+                                             std::span<const PacketLine> lines, moire::Tally& pieces) {
+  task_ = &task;
+  rows_ = rows.data();
+  row_count_ = rows.count();
+  pieces_ = &pieces;
+  swapped_ = task.octant.swapped;
+  z_ = task.view.z;
+  hits_ = 0;
+  walking_ = 0;
+  const Real zero = hn::Zero(d);
+  weight_ = r_ = g_ = b_ = zero;
+  first_hit_ = last_hit_ = real(-1);
+  const Rays rays(lines);
+  line_p0_ = along(task.octant, hn::LoadU(d, rays.x.data()), hn::LoadU(d, rays.y.data()));
+  line_z_ = hn::LoadU(d, rays.z.data());
+
+  std::array<double, lanes> place{}, live{};
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const bool walks = k < lines.size() && lines[k].fits;
+    place[k] = static_cast<double>(walks ? k : row_count_ * Rows::size + k);
+    live[k] = walks ? 1 : 0;
+    slots_[k] = k < lines.size() ? lines[k].first_slot : 0;
+    walking_ += walks;
+  }
+  if (walking_ == 0) return;
+  row_place_ = hn::LoadU(d, place.data());
+  live_ = hn::LoadU(d, live.data());
+  at_ = real(task.cuts[0]);
+  const auto field = [&](Rows::Field f)
+                         HWY_ATTR { return hn::GatherIndex(d, rows_ + f * lanes, hn::ConvertTo(Wide(), row_place_)); };
+  m_ = field(Rows::m);
+  slope_ = field(Rows::first_slope);
+  last_slope_ = field(Rows::last_slope);
+  end_at_ = field(Rows::end);
+
+  // Lanes without a line stand where the first one does, and go nowhere.
+  walks_.clear();
+  const auto first = static_cast<std::size_t>(
+      std::find_if(lines.begin(), lines.end(), [](const PacketLine& line) { return line.fits; }) - lines.begin());
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const std::size_t like = live[k] > 0 ? k : first;
+    Plane plane = task.octant;
+    plane.m = rows_[Rows::m * lanes + like];
+    walks_.emplace_back(task.view);
+    walks_.back().start(plane, rows_[Rows::first_slope * lanes + like]);
+    load_leg(k);
+  }
+  end_ = hn::IfThenElse(hn::Gt(live_, zero), end_, real(infinity));
+}
+
+template <class V, class T>
+HWY_INLINE void set_lane(V& vector, std::size_t k, T value) {
+  const hn::DFromV<V> tag;
+  alignas(64) std::array<hn::TFromV<V>, lanes> values;
+  hn::StoreU(vector, tag, values.data());
+  values[k] = static_cast<hn::TFromV<V>>(value);
+  vector = hn::LoadU(tag, values.data());
+}
+template <class V>
+HWY_INLINE auto lane(V vector, std::size_t k) {
+  const hn::DFromV<V> tag;
+  alignas(64) std::array<hn::TFromV<V>, lanes> values;
+  hn::StoreU(vector, tag, values.data());
+  return values[k];
+}
+
+// Takes over what the lane's own walk knows of the leg that lies ahead.
+template <Interpolation interpolation>
+HWY_NOINLINE void Packet<interpolation>::load_leg(std::size_t k) {
+  const Walk<false>::Leg leg = walks_[k].leg();
+  const Voxels::Level& level = task_->view.voxels->level(leg.level);
+  const double inverse_width = std::ldexp(1.0, -leg.level);
+  eye_p_ = leg.eye_p;
+  eye_q_unscaled_ = leg.eye_q;
+  shift_q_ = leg.shift_q;
+  set_lane(p_, k, leg.p);
+  set_lane(end_, k, leg.end);
+  set_lane(end_of_level_, k, leg.end_of_level);
+  set_lane(stop_, k, leg.stop);
+  set_lane(sure_end_, k, leg.sure_end);
+  set_lane(step_place_, k, leg.place);
+  set_lane(width_, k, std::ldexp(1.0, leg.level));
+  set_lane(inverse_width_, k, inverse_width);
+  set_lane(eye_q_, k, leg.eye_q * inverse_width);
+  set_lane(scaled_m_, k, lane(m_, k) * inverse_width);
+  const int period_p = swapped_ ? level.row_period() : level.column_period();
+  const int period_q = swapped_ ? level.column_period() : level.row_period();
+  constexpr double a_little_less = 1 - 0x1p-50;
+  set_lane(period_p_, k, period_p);
+  set_lane(period_q_, k, period_q);
+  set_lane(inverse_period_p_, k, a_little_less / period_p);
+  set_lane(inverse_period_q_, k, a_little_less / period_q);
+  set_lane(row_width_, k, level.width);
+  cells_[k] = level.cells.data();
+}
+
+// Walk::find_end for lanes whose plane has changed where the far limit is near.
+template <Interpolation interpolation>
+HWY_NOINLINE void Packet<interpolation>::find_end(Mask changed, Real m) {
+  const View& view = task_->view;
+  const Real spacing_p = real(swapped_ ? view.spacing_y : view.spacing_x);
+  const Real spacing_q = real(swapped_ ? view.spacing_x : view.spacing_y);
+  const Real unit =
+      hn::Sqrt(hn::Add(hn::Mul(spacing_p, spacing_p), hn::Mul(hn::Mul(hn::Mul(m, m), spacing_q), spacing_q)));
+  const Mask stopped = hn::Ge(p_, end_), sure = hn::Lt(p_, sure_end_);
+  const Real limit = hn::Div(real(view.far), unit);
+  const Real stop = hn::IfThenElse(sure, real(infinity), limit);
+  const Real limit_end = hn::Ceil(hn::Mul(hn::Add(real(eye_p_), limit), inverse_width_));
+  const Real end = smaller(end_of_level_, hn::IfThenElse(sure, sure_end_, limit_end));
+  const Mask gained = hn::And(changed, hn::And(stopped, hn::Gt(stop, stop_)));
+  stop_ = hn::IfThenElse(changed, stop, stop_);
+  end_ = hn::IfThenElse(changed, end, end_);
+  p_ = hn::Sub(p_, hn::IfThenElseZero(gained, real(1)));
+}
+
+// Goes on to the next row in these lanes.
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::end_rows(Mask ended) {
+  alignas(64) std::array<double, lanes> weight, r, g, b;
+  hn::Store(weight_, d, weight.data());
+  hn::Store(r_, d, r.data());
+  hn::Store(g_, d, g.data());
+  hn::Store(b_, d, b.data());
+  const moire::Tally::Adder<false> add(*pieces_);
+  int done = 0;
+  for_each_lane(ended, [&](std::size_t k) {
+    add.sum(slots_[k] + row_[k], {weight[k], r[k], g[k], b[k]});
+    if (++row_[k] == row_count_) ++done;
+  });
+  weight_ = hn::IfThenZeroElse(ended, weight_);
+  r_ = hn::IfThenZeroElse(ended, r_);
+  g_ = hn::IfThenZeroElse(ended, g_);
+  b_ = hn::IfThenZeroElse(ended, b_);
+  first_hit_ = hn::IfThenElse(hn::And(ended, hn::Lt(first_hit_, hn::Zero(d))), last_hit_, first_hit_);
+
+  row_place_ = hn::Add(row_place_, hn::IfThenElseZero(ended, real(static_cast<double>(Rows::size))));
+  const auto place = hn::ConvertTo(Wide(), row_place_);
+  const auto field = [&](Rows::Field f) HWY_ATTR { return hn::GatherIndex(d, rows_ + f * lanes, place); };
+  const Real m = field(Rows::m);
+  at_ = hn::IfThenElse(ended, end_at_, at_);
+  slope_ = hn::IfThenElse(ended, field(Rows::first_slope), slope_);
+  last_slope_ = field(Rows::last_slope);
+  end_at_ = field(Rows::end);
+  const Mask near_limit = hn::And(hn::And(ended, hn::Lt(stop_, real(infinity))), hn::Ne(m, m_));
+  m_ = m;
+  scaled_m_ = hn::Mul(m, inverse_width_);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, near_limit))) find_end(near_limit, m);
+
+  if (HWY_UNLIKELY(done > 0)) {
+    walking_ -= done;
+    // A slope that is no number: of the rows' end.
+    const Mask over = hn::IsNaN(slope_);
+    live_ = hn::IfThenZeroElse(over, live_);
+    end_ = hn::IfThenElse(over, real(infinity), end_);
+  }
+}
+
+// Lets lanes that stand at the end of their leg enter the next one, and gives the sky its due in those that see no more
+// terrain in their row.
+template <Interpolation interpolation>
+HWY_NOINLINE void Packet<interpolation>::pass_over() {
+  const Real zero = hn::Zero(d);
+  for (;;) {
+    const Mask at_end = hn::Ge(p_, end_), above = hn::Ge(slope_, zero);
+    Mask sky = hn::Or(above, hn::And(at_end, hn::And(hn::Lt(stop_, real(infinity)), hn::Lt(end_, end_of_level_))));
+    const Mask leg_ends = hn::AndNot(sky, at_end);
+    if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) return;
+    for_each_lane(leg_ends, [&](std::size_t k) {
+      Walk<false>::Leg leg{};
+      leg.p = lane(p_, k), leg.end = lane(end_, k), leg.stop = lane(stop_, k);
+      const bool goes_on = walks_[k].next_leg(leg, lane(m_, k));
+      load_leg(k);
+      if (!goes_on) set_lane(end_, k, lane(p_, k));
+    });
+    sky = hn::Or(sky, hn::And(leg_ends, hn::Ge(p_, end_)));
+    if (hn::AllFalse(d, sky)) continue;
+    const Real weight = hn::Sub(hn::IfThenElse(sky, end_at_, at_), at_);
+    const Mask seen = hn::Gt(weight, zero);
+    add(hn::IfThenElseZero(seen, weight), real(task_->sky.r), real(task_->sky.g), real(task_->sky.b));
+    end_rows(sky);
+  }
+}
+
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q, Real x1) {
+  const auto only = [&](Real channel) HWY_ATTR { return hn::IfThenElseZero(seen, channel); };
+  weight = only(weight);
+  if constexpr (interpolation == Interpolation::nearest) {
+    (void)p, (void)q, (void)x1;
+    add(weight, only(cells.r), only(cells.g), only(cells.b));
+  } else {
+    // Look::surface_point in the middle of the voxel, along the axis across the walk.
+    const bool flip = task_->octant.flip_q;
+    const Real x0 = larger(hn::Sub(hn::Mul(p, width_), real(eye_p_)), hn::Zero(d));
+    const Real middle = hn::Div(hn::Add(x0, x1), real(2));
+    const Real aside = hn::Mul(middle, m_);
+    const Real eye = real(swapped_ ? task_->view.x : task_->view.y);
+    const Real unreduced = hn::Add(q, hn::Mul(real(static_cast<double>(shift_q_)), inverse_width_));
+    const Real texel = flip ? hn::Sub(real(-1), unreduced) : unreduced;
+    const Real low = hn::Mul(texel, width_), inset = hn::Mul(width_, real(1e-9));
+    const Real first = hn::Add(low, inset), last = hn::Sub(hn::Add(low, width_), inset);
+    const Real place = smaller(larger(hn::Add(eye, flip ? hn::Neg(aside) : aside), first), last);
+    // moire::LinearAcross: between the middles of two texels.
+    const Real between = hn::Sub(hn::Mul(place, inverse_width_), real(0.5));
+    const Real whole = hn::Floor(between), fraction = hn::Sub(between, whole);
+    const Mask own_first = hn::Eq(whole, texel);
+    const Real aside_by = hn::IfThenElse(own_first, real(flip ? -1 : 1), real(flip ? 1 : -1));
+    // A period further on there is no voxel -1.
+    const Real period = hn::PromoteTo(d, period_q_);
+    const Int other_places = places(p, hn::Add(hn::Add(q, aside_by), period));
+    std::array<std::int32_t, lanes> indices;
+    hn::StoreU(other_places, I(), indices.data());
+    std::array<const Cell*, lanes> others;
+    for (std::size_t k = 0; k < lanes; ++k) others[k] = cells_[k] + indices[k];
+    const Cells other = load_cells(d, others.data());
+    const auto pick = [&](Real own, Real neighbour, bool first_one) HWY_ATTR {
+      return only(first_one ? hn::IfThenElse(own_first, own, neighbour) : hn::IfThenElse(own_first, neighbour, own));
+    };
+    add(hn::Mul(weight, hn::Sub(real(1), fraction)), pick(cells.r, other.r, true), pick(cells.g, other.g, true),
+        pick(cells.b, other.b, true));
+    add(only(hn::Mul(weight, fraction)), pick(cells.r, other.r, false), pick(cells.g, other.g, false),
+        pick(cells.b, other.b, false));
+  }
+}
+
+// Looks at one voxel in every lane.
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::step() {
+  const Real zero = hn::Zero(d);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Or(hn::Ge(p_, end_), hn::Ge(slope_, zero))))) pass_over();
+
+  const Real p = p_, eye_p = real(eye_p_);
+  const Real next = hn::Mul(hn::Add(p, real(1)), width_);
+  const Real from_eye = hn::Sub(next, eye_p);
+  const Real x1 = smaller(from_eye, stop_);
+  const Real middle = hn::Sub(hn::Sub(next, hn::Mul(width_, real(0.5))), eye_p);
+  const Real q = hn::Add(eye_q_, hn::Mul(larger(middle, zero), scaled_m_));
+  // Fetched some steps before they are looked at: no cache holds a large map.
+  {
+    const Real x = hn::Add(x1, hn::Mul(width_, real(steps_ahead)));
+    const Int ahead = places(hn::Add(p, real(steps_ahead)), hn::Add(eye_q_, hn::Mul(x, scaled_m_)));
+    std::array<std::int32_t, lanes> indices;
+    hn::StoreU(ahead, I(), indices.data());
+    for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(cells_[k] + indices[k]);
+  }
+  std::array<std::int32_t, lanes> indices;
+  hn::StoreU(places(p, q), I(), indices.data());
+  std::array<const Cell*, lanes> cells;
+  for (std::size_t k = 0; k < lanes; ++k) cells[k] = cells_[k] + indices[k];
+  const Cells cell = load_cells(d, cells.data());
+
+  const Real top = hn::Sub(cell.height, real(z_));
+  const Mask met = hn::Gt(top, hn::Mul(slope_, x1));
+  const Mask ends = hn::And(met, hn::Ge(top, hn::Mul(last_slope_, x1)));
+  hits_ += hn::CountTrue(d, met);
+  // The image of the far edge of the box's top.
+  const Real p1 = along(task_->octant, real(task_->step.x), real(task_->step.y));
+  const Real edge = hn::Div(hn::Sub(hn::Mul(top, line_p0_), hn::Mul(line_z_, x1)),
+                            hn::Sub(hn::Mul(real(task_->step.z), x1), hn::Mul(top, p1)));
+  Real until = smaller(larger(edge, at_), end_at_);
+  until = hn::IfThenElse(met, hn::IfThenElse(ends, end_at_, until), at_);
+  deposit(hn::Sub(until, at_), hn::Gt(until, at_), cell, p, hn::Trunc(q), x1);
+  at_ = until;
+  slope_ = hn::IfThenElse(met, smaller(hn::Div(top, x1), last_slope_), slope_);
+  last_hit_ = hn::IfThenElse(met, hn::Add(p, step_place_), last_hit_);
+  p_ = hn::Add(p, hn::IfThenZeroElse(ends, live_));
+  if (!hn::AllFalse(d, ends)) end_rows(ends);
+}
+
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::finish() {
+  moire::Counters& counters = pieces_->counters;
+  counters.hits += hits_;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    if (row_[k] > 0) counters.queries += row_count_;
+    const double first = lane(first_hit_, k), last = lane(last_hit_, k);
+    if (first >= 0) counters.steps += 1 + static_cast<std::uint64_t>(last - first);
+  }
+}
+
+template <Interpolation interpolation>
+HWY_INLINE void follow_as(const PacketTask& task, std::span<PacketLine> lines, moire::Tally& pieces) {
+  Rows rows;
+  for (std::size_t first = 0; first < lines.size(); first += lanes) {
+    const std::span<PacketLine> some = lines.subspan(first, std::min(lanes, lines.size() - first));
+    rows.prepare(task, some);
+    Packet<interpolation> packet;
+    packet.begin(task, rows, some, pieces);
+    while (packet.walks()) packet.step();
+    packet.finish();
+  }
+}
+
+void follow(const PacketTask& task, std::span<PacketLine> lines, moire::Tally& pieces) {
+  if (task.interpolation == Interpolation::nearest) {
+    follow_as<Interpolation::nearest>(task, lines, pieces);
+  } else {
+    follow_as<Interpolation::linear_across>(task, lines, pieces);
+  }
+}
+
+}  // namespace heightfield::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace heightfield {
+
+HWY_EXPORT(follow);
+
+void follow(const PacketTask& task, std::span<PacketLine> lines, moire::Tally& pieces) {
+  HWY_DYNAMIC_DISPATCH(follow)(task, lines, pieces);
+}
+
+}  // namespace heightfield
+
+#endif
