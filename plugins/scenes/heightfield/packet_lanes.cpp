@@ -26,7 +26,6 @@ using D = hn::CappedTag<double, 8>;
 constexpr D d;
 constexpr std::size_t lanes = hn::MaxLanes(d);
 using I = hn::Rebind<std::int32_t, D>;
-using Wide = hn::Rebind<std::int64_t, D>;
 using Real = hn::Vec<D>;
 using Int = hn::Vec<I>;
 using Mask = hn::Mask<D>;
@@ -87,22 +86,54 @@ HWY_INLINE Cells load_cells(Tag tag, const Cell* const* cells) {
   }
 }
 
-// What the rows of each lane are walked with: row after row, field after field, lane after lane; the last row ends it.
+// What the rows of each lane are walked with: row after row, lane after lane; the last row ends it.
+struct Row {
+  double m, first_slope, last_slope, end;
+};
+
 class Rows {
  public:
-  enum Field : std::size_t { m, first_slope, last_slope, end, fields };
-  static constexpr std::size_t size = fields * lanes;
-
   // Marks lines of which a row lies in another octant or falls along the line.
   void prepare(const PacketTask& task, std::span<PacketLine> lines);
 
   std::size_t count() const { return count_; }
-  const double* data() const { return values_.data(); }
+  const Row* data() const { return rows_.data(); }
+  // The most by which m changes from a row to the next, in any lane.
+  double largest_turn() const { return largest_turn_; }
 
  private:
   std::size_t count_ = 0;
-  std::vector<double> values_;
+  double largest_turn_ = 0;
+  std::vector<Row> rows_;
 };
+
+// A row of each lane, field by field.
+template <class Vector>
+struct RowFields {
+  Vector m, first_slope, last_slope, end;
+};
+template <class Tag>
+HWY_INLINE RowFields<hn::Vec<Tag>> load_rows(Tag tag, const Row* const* rows) {
+  using V = hn::Vec<Tag>;
+  if constexpr (hn::MaxLanes(tag) == 2) {
+    const V front0 = hn::LoadU(tag, &rows[0]->m), front1 = hn::LoadU(tag, &rows[1]->m);
+    const V back0 = hn::LoadU(tag, &rows[0]->last_slope), back1 = hn::LoadU(tag, &rows[1]->last_slope);
+    return {hn::InterleaveLower(tag, front0, front1), hn::InterleaveUpper(tag, front0, front1),
+            hn::InterleaveLower(tag, back0, back1), hn::InterleaveUpper(tag, back0, back1)};
+  } else if constexpr (hn::MaxLanes(tag) == 4) {
+    const V r0 = hn::LoadU(tag, &rows[0]->m), r1 = hn::LoadU(tag, &rows[1]->m);
+    const V r2 = hn::LoadU(tag, &rows[2]->m), r3 = hn::LoadU(tag, &rows[3]->m);
+    const V even01 = hn::InterleaveLower(tag, r0, r1), even23 = hn::InterleaveLower(tag, r2, r3);
+    const V odd01 = hn::InterleaveUpper(tag, r0, r1), odd23 = hn::InterleaveUpper(tag, r2, r3);
+    return {hn::ConcatLowerLower(tag, even23, even01), hn::ConcatLowerLower(tag, odd23, odd01),
+            hn::ConcatUpperUpper(tag, even23, even01), hn::ConcatUpperUpper(tag, odd23, odd01)};
+  } else {
+    constexpr hn::Half<Tag> half;
+    const auto a = load_rows(half, rows), b = load_rows(half, rows + 4);
+    return {hn::Combine(tag, b.m, a.m), hn::Combine(tag, b.first_slope, a.first_slope),
+            hn::Combine(tag, b.last_slope, a.last_slope), hn::Combine(tag, b.end, a.end)};
+  }
+}
 
 struct Rays {
   std::array<double, lanes> x{}, y{}, z{}, plane_x{}, plane_y{}, own_plane{};
@@ -134,7 +165,8 @@ HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> line
   Mask fits = hn::Eq(zero, zero);
 
   count_ = task.cuts.size() - 1;
-  values_.resize((count_ + 1) * size);
+  rows_.resize((count_ + 1) * lanes);
+  Real last_m = zero, largest_turn = zero;
   for (std::size_t i = 0; i < count_; ++i) {
     const Real t0 = real(task.cuts[i]), t1 = real(task.cuts[i + 1]),
                middle = real((task.cuts[i] + task.cuts[i + 1]) / 2);
@@ -160,15 +192,15 @@ HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> line
     if (task.interpolation != Interpolation::nearest) {
       fits = hn::And(fits, hn::Ge(hn::Abs(ray_z), real(1e-12)));
     }
-    double* row = values_.data() + i * size;
-    hn::StoreU(hn::Div(minor, major), d, row + m * lanes);
-    hn::StoreU(s0, d, row + first_slope * lanes);
-    hn::StoreU(s1, d, row + last_slope * lanes);
-    hn::StoreU(t1, d, row + end * lanes);
+    const Real m = hn::Div(minor, major);
+    if (i > 0) largest_turn = hn::Max(largest_turn, hn::Abs(hn::Sub(m, last_m)));
+    last_m = m;
+    hn::StoreInterleaved4(m, s0, s1, t1, d, &rows_[i * lanes].m);
   }
+  largest_turn_ = hn::GetLane(hn::MaxOfLanes(d, largest_turn));
   // Beyond the last row nothing is higher than the ray, nor is the ray above the horizon.
-  std::fill_n(values_.data() + count_ * size, size, std::numeric_limits<double>::quiet_NaN());
-  std::fill_n(values_.data() + count_ * size + m * lanes, lanes, 0.0);
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::fill_n(rows_.end() - lanes, lanes, Row{0, nothing, nothing, nothing});
 
   for_each_lane(hn::Not(fits), [&](std::size_t k) {
     if (k < lines.size()) lines[k].fits = false;
@@ -189,32 +221,37 @@ class Packet {
   void find_end(Mask changed, Real m);
   void pass_over();
   void load_leg(std::size_t k);
-  HWY_INLINE Real reduced(Real index, Real inverse_period, Int period) const;
-  HWY_INLINE Int folded(Real index, Real inverse_period, Int period) const {
-    // Whole laps, or one less: the inverse is a little too small.
-    const Int laps = hn::DemoteTo(I(), hn::Mul(index, inverse_period));
-    const Int rest = hn::Sub(hn::DemoteTo(I(), index), hn::Mul(laps, period));
-    const hn::Rebind<std::uint32_t, D> u;
-    const Int reduced = hn::BitCast(I(), hn::Min(hn::BitCast(u, rest), hn::BitCast(u, hn::Sub(rest, period))));
-    return hn::Min(reduced, hn::Sub(hn::Sub(period, hn::Set(I(), 1)), reduced));
+  // `index` or, where that lies without 0 .. period - 1, the one a period away.
+  static HWY_INLINE Int wrapped_down(Int index, Int period) {
+    constexpr hn::Rebind<std::uint32_t, D> u;
+    return hn::BitCast(I(), hn::Min(hn::BitCast(u, index), hn::BitCast(u, hn::Sub(index, period))));
   }
-  // Where the cells of these places lie in their level.
-  HWY_INLINE Int places(Real p, Real q) const {
-    const Int at_p = folded(p, inverse_period_p_, period_p_), at_q = folded(q, inverse_period_q_, period_q_);
+  static HWY_INLINE Int wrapped_up(Int index, Int period) {
+    constexpr hn::Rebind<std::uint32_t, D> u;
+    return hn::BitCast(I(), hn::Min(hn::BitCast(u, index), hn::BitCast(u, hn::Add(index, period))));
+  }
+  static HWY_INLINE Int folded(Int index, Int period) {
+    return hn::Min(index, hn::Sub(hn::Sub(period, hn::Set(I(), 1)), index));
+  }
+  // Where the cells of these places lie in their level. Requires: both reduced to one mirror period.
+  HWY_INLINE Int places(Int p, Int q) const {
+    const Int at_p = folded(p, period_p_), at_q = folded(q, period_q_);
     const Int row = swapped_ ? at_p : at_q, column = swapped_ ? at_q : at_p;
     return hn::Add(hn::Mul(row, row_width_), column);
   }
+  void count_laps();
   HWY_INLINE void add(Real weight, Real r, Real g, Real b) {
     weight_ = hn::Add(weight_, weight);
     r_ = hn::Add(r_, hn::Mul(weight, r));
     g_ = hn::Add(g_, hn::Mul(weight, g));
     b_ = hn::Add(b_, hn::Mul(weight, b));
   }
-  HWY_INLINE void deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q, Real x1);
+  HWY_INLINE void deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q, Int reduced_q, Real x1);
 
   // Of all lanes.
   const PacketTask* task_ = nullptr;
-  const double* rows_ = nullptr;
+  const Row* rows_ = nullptr;
+  bool turns_far_ = false;  // a row's first voxel may lie a mirror period aside of the last one's, or more
   std::size_t row_count_ = 0;
   moire::Tally* pieces_ = nullptr;
   bool swapped_ = false;
@@ -225,10 +262,12 @@ class Packet {
 
   // Of the row, by lane.
   std::array<std::size_t, lanes> slots_{}, row_{};
-  Real row_place_, m_, scaled_m_, slope_, last_slope_, at_, end_at_, weight_, r_, g_, b_;
+  std::array<const Row*, lanes> row_data_{};
+  Real m_, scaled_m_, slope_, last_slope_, at_, end_at_, weight_, r_, g_, b_;
   // Of the leg.
   Real p_, live_, end_, stop_, eye_q_, width_, inverse_width_, end_of_level_, sure_end_, step_place_;
-  Real inverse_period_p_, inverse_period_q_, first_hit_, last_hit_, line_p0_, line_z_;
+  Real first_hit_, last_hit_, line_p0_, line_z_;
+  Int at_p_, laps_q_;  // p reduced to one mirror period, and what to take away from q
   Int period_p_, period_q_, row_width_;
   std::array<const Cell*, lanes> cells_{};
   std::vector<Walk<false>> walks_;
@@ -245,6 +284,10 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   z_ = task.view.z;
   hits_ = 0;
   walking_ = 0;
+  const Voxels::Level& finest = task.view.voxels->level(0);
+  const double reach = task.view.far / std::min(task.view.spacing_x, task.view.spacing_y);
+  const int period_q = swapped_ ? finest.column_period() : finest.row_period();
+  turns_far_ = rows.largest_turn() * reach + 1 > period_q / 2.0;
   const Real zero = hn::Zero(d);
   weight_ = r_ = g_ = b_ = zero;
   first_hit_ = last_hit_ = real(-1);
@@ -252,24 +295,22 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   line_p0_ = along(task.octant, hn::LoadU(d, rays.x.data()), hn::LoadU(d, rays.y.data()));
   line_z_ = hn::LoadU(d, rays.z.data());
 
-  std::array<double, lanes> place{}, live{};
+  std::array<double, lanes> live{};
   for (std::size_t k = 0; k < lanes; ++k) {
     const bool walks = k < lines.size() && lines[k].fits;
-    place[k] = static_cast<double>(walks ? k : row_count_ * Rows::size + k);
+    row_data_[k] = rows_ + (walks ? k : row_count_ * lanes + k);
     live[k] = walks ? 1 : 0;
     slots_[k] = k < lines.size() ? lines[k].first_slot : 0;
     walking_ += walks;
   }
   if (walking_ == 0) return;
-  row_place_ = hn::LoadU(d, place.data());
   live_ = hn::LoadU(d, live.data());
   at_ = real(task.cuts[0]);
-  const auto field = [&](Rows::Field f)
-                         HWY_ATTR { return hn::GatherIndex(d, rows_ + f * lanes, hn::ConvertTo(Wide(), row_place_)); };
-  m_ = field(Rows::m);
-  slope_ = field(Rows::first_slope);
-  last_slope_ = field(Rows::last_slope);
-  end_at_ = field(Rows::end);
+  const auto row = load_rows(d, row_data_.data());
+  m_ = row.m;
+  slope_ = row.first_slope;
+  last_slope_ = row.last_slope;
+  end_at_ = row.end;
 
   // Lanes without a line stand where the first one does, and go nowhere.
   walks_.clear();
@@ -278,9 +319,9 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   for (std::size_t k = 0; k < lanes; ++k) {
     const std::size_t like = live[k] > 0 ? k : first;
     Plane plane = task.octant;
-    plane.m = rows_[Rows::m * lanes + like];
+    plane.m = rows_[like].m;
     walks_.emplace_back(task.view);
-    walks_.back().start(plane, rows_[Rows::first_slope * lanes + like]);
+    walks_.back().start(plane, rows_[like].first_slope);
     load_leg(k);
   }
   end_ = hn::IfThenElse(hn::Gt(live_, zero), end_, real(infinity));
@@ -323,11 +364,12 @@ HWY_NOINLINE void Packet<interpolation>::load_leg(std::size_t k) {
   set_lane(scaled_m_, k, lane(m_, k) * inverse_width);
   const int period_p = swapped_ ? level.row_period() : level.column_period();
   const int period_q = swapped_ ? level.column_period() : level.row_period();
-  constexpr double a_little_less = 1 - 0x1p-50;
   set_lane(period_p_, k, period_p);
   set_lane(period_q_, k, period_q);
-  set_lane(inverse_period_p_, k, a_little_less / period_p);
-  set_lane(inverse_period_q_, k, a_little_less / period_q);
+  set_lane(at_p_, k, static_cast<std::int64_t>(leg.p) % period_p);
+  const double x = std::max((leg.p + 0.5) * lane(width_, k) - leg.eye_p, 0.0);
+  const auto q = static_cast<std::int64_t>((leg.eye_q + x * lane(m_, k)) * inverse_width);
+  set_lane(laps_q_, k, q - q % period_q);
   set_lane(row_width_, k, level.width);
   cells_[k] = level.cells.data();
 }
@@ -348,7 +390,19 @@ HWY_NOINLINE void Packet<interpolation>::find_end(Mask changed, Real m) {
   const Mask gained = hn::And(changed, hn::And(stopped, hn::Gt(stop, stop_)));
   stop_ = hn::IfThenElse(changed, stop, stop_);
   end_ = hn::IfThenElse(changed, end, end_);
-  p_ = hn::Sub(p_, hn::IfThenElseZero(gained, real(1)));
+  const Real back = hn::IfThenElseZero(gained, real(1));
+  p_ = hn::Sub(p_, back);
+  at_p_ = wrapped_up(hn::Sub(at_p_, hn::DemoteTo(I(), back)), period_p_);
+}
+
+// Finds anew how many mirror periods aside of the eye the lanes stand.
+template <Interpolation interpolation>
+HWY_NOINLINE void Packet<interpolation>::count_laps() {
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const double x = std::max((lane(p_, k) + 0.5) * lane(width_, k) - eye_p_, 0.0);
+    const auto q = static_cast<std::int32_t>(lane(eye_q_, k) + x * lane(scaled_m_, k));
+    set_lane(laps_q_, k, q - q % lane(period_q_, k));
+  }
 }
 
 // Goes on to the next row in these lanes.
@@ -363,6 +417,7 @@ HWY_INLINE void Packet<interpolation>::end_rows(Mask ended) {
   int done = 0;
   for_each_lane(ended, [&](std::size_t k) {
     add.sum(slots_[k] + row_[k], {weight[k], r[k], g[k], b[k]});
+    row_data_[k] += lanes;
     if (++row_[k] == row_count_) ++done;
   });
   weight_ = hn::IfThenZeroElse(ended, weight_);
@@ -371,18 +426,18 @@ HWY_INLINE void Packet<interpolation>::end_rows(Mask ended) {
   b_ = hn::IfThenZeroElse(ended, b_);
   first_hit_ = hn::IfThenElse(hn::And(ended, hn::Lt(first_hit_, hn::Zero(d))), last_hit_, first_hit_);
 
-  row_place_ = hn::Add(row_place_, hn::IfThenElseZero(ended, real(static_cast<double>(Rows::size))));
-  const auto place = hn::ConvertTo(Wide(), row_place_);
-  const auto field = [&](Rows::Field f) HWY_ATTR { return hn::GatherIndex(d, rows_ + f * lanes, place); };
-  const Real m = field(Rows::m);
+  const auto row = load_rows(d, row_data_.data());
+  const Real m = row.m;
   at_ = hn::IfThenElse(ended, end_at_, at_);
-  slope_ = hn::IfThenElse(ended, field(Rows::first_slope), slope_);
-  last_slope_ = field(Rows::last_slope);
-  end_at_ = field(Rows::end);
+  slope_ = hn::IfThenElse(ended, row.first_slope, slope_);
+  last_slope_ = row.last_slope;
+  end_at_ = row.end;
   const Mask near_limit = hn::And(hn::And(ended, hn::Lt(stop_, real(infinity))), hn::Ne(m, m_));
   m_ = m;
   scaled_m_ = hn::Mul(m, inverse_width_);
   if (HWY_UNLIKELY(!hn::AllFalse(d, near_limit))) find_end(near_limit, m);
+
+  if (HWY_UNLIKELY(turns_far_)) count_laps();
 
   if (HWY_UNLIKELY(done > 0)) {
     walking_ -= done;
@@ -420,11 +475,12 @@ HWY_NOINLINE void Packet<interpolation>::pass_over() {
 }
 
 template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q, Real x1) {
+HWY_INLINE void Packet<interpolation>::deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q,
+                                               Int reduced_q, Real x1) {
   const auto only = [&](Real channel) HWY_ATTR { return hn::IfThenElseZero(seen, channel); };
   weight = only(weight);
   if constexpr (interpolation == Interpolation::nearest) {
-    (void)p, (void)q, (void)x1;
+    (void)p, (void)q, (void)reduced_q, (void)x1;
     add(weight, only(cells.r), only(cells.g), only(cells.b));
   } else {
     // Look::surface_point in the middle of the voxel, along the axis across the walk.
@@ -443,9 +499,8 @@ HWY_INLINE void Packet<interpolation>::deposit(Real weight, Mask seen, const Cel
     const Real whole = hn::Floor(between), fraction = hn::Sub(between, whole);
     const Mask own_first = hn::Eq(whole, texel);
     const Real aside_by = hn::IfThenElse(own_first, real(flip ? -1 : 1), real(flip ? 1 : -1));
-    // A period further on there is no voxel -1.
-    const Real period = hn::PromoteTo(d, period_q_);
-    const Int other_places = places(p, hn::Add(hn::Add(q, aside_by), period));
+    const Int other_q = hn::Add(reduced_q, hn::DemoteTo(I(), aside_by));
+    const Int other_places = places(at_p_, wrapped_down(wrapped_up(other_q, period_q_), period_q_));
     std::array<std::int32_t, lanes> indices;
     hn::StoreU(other_places, I(), indices.data());
     std::array<const Cell*, lanes> others;
@@ -473,16 +528,24 @@ HWY_INLINE void Packet<interpolation>::step() {
   const Real x1 = smaller(from_eye, stop_);
   const Real middle = hn::Sub(hn::Sub(next, hn::Mul(width_, real(0.5))), eye_p);
   const Real q = hn::Add(eye_q_, hn::Mul(larger(middle, zero), scaled_m_));
+  // q within a period of where it was last.
+  const Int whole_q = hn::DemoteTo(I(), q);
+  const Int near_q = hn::Sub(whole_q, laps_q_);
+  const Int reduced_q = wrapped_down(wrapped_up(near_q, period_q_), period_q_);
+  laps_q_ = hn::Sub(whole_q, reduced_q);
+
   // Fetched some steps before they are looked at: no cache holds a large map.
   {
     const Real x = hn::Add(x1, hn::Mul(width_, real(steps_ahead)));
-    const Int ahead = places(hn::Add(p, real(steps_ahead)), hn::Add(eye_q_, hn::Mul(x, scaled_m_)));
+    const Int ahead_q = hn::Sub(hn::DemoteTo(I(), hn::Add(eye_q_, hn::Mul(x, scaled_m_))), laps_q_);
+    const Int ahead_p = hn::Add(at_p_, hn::Set(I(), steps_ahead));
+    const Int ahead = places(wrapped_down(ahead_p, period_p_), wrapped_down(ahead_q, period_q_));
     std::array<std::int32_t, lanes> indices;
     hn::StoreU(ahead, I(), indices.data());
     for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(cells_[k] + indices[k]);
   }
   std::array<std::int32_t, lanes> indices;
-  hn::StoreU(places(p, q), I(), indices.data());
+  hn::StoreU(places(at_p_, reduced_q), I(), indices.data());
   std::array<const Cell*, lanes> cells;
   for (std::size_t k = 0; k < lanes; ++k) cells[k] = cells_[k] + indices[k];
   const Cells cell = load_cells(d, cells.data());
@@ -497,11 +560,13 @@ HWY_INLINE void Packet<interpolation>::step() {
                             hn::Sub(hn::Mul(real(task_->step.z), x1), hn::Mul(top, p1)));
   Real until = smaller(larger(edge, at_), end_at_);
   until = hn::IfThenElse(met, hn::IfThenElse(ends, end_at_, until), at_);
-  deposit(hn::Sub(until, at_), hn::Gt(until, at_), cell, p, hn::Trunc(q), x1);
+  deposit(hn::Sub(until, at_), hn::Gt(until, at_), cell, p, hn::Trunc(q), reduced_q, x1);
   at_ = until;
   slope_ = hn::IfThenElse(met, smaller(hn::Div(top, x1), last_slope_), slope_);
   last_hit_ = hn::IfThenElse(met, hn::Add(p, step_place_), last_hit_);
-  p_ = hn::Add(p, hn::IfThenZeroElse(ends, live_));
+  const Real advance = hn::IfThenZeroElse(ends, live_);
+  p_ = hn::Add(p, advance);
+  at_p_ = wrapped_down(hn::Add(at_p_, hn::DemoteTo(I(), advance)), period_p_);
   if (!hn::AllFalse(d, ends)) end_rows(ends);
 }
 
