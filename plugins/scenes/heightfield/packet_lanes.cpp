@@ -26,6 +26,7 @@ using D = hn::CappedTag<double, 8>;
 constexpr D d;
 constexpr std::size_t lanes = hn::MaxLanes(d);
 using I = hn::Rebind<std::int32_t, D>;
+using W = hn::Rebind<std::int64_t, D>;
 using Real = hn::Vec<D>;
 using Int = hn::Vec<I>;
 using Mask = hn::Mask<D>;
@@ -211,10 +212,11 @@ HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> line
 template <Interpolation interpolation>
 class Packet {
  public:
-  void begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines, moire::Tally& pieces);
-  bool walks() const { return walking_ > 0; }
+  void begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines);
+  bool walks() const { return walking_; }
   void step();
-  void finish();
+  // Hands over what the rows have seen.
+  void finish(moire::Tally& pieces) const;
 
  private:
   void end_rows(Mask ended);
@@ -240,6 +242,14 @@ class Packet {
     return hn::Add(hn::Mul(row, row_width_), column);
   }
   void count_laps();
+  // Of each lane's row.
+  HWY_INLINE RowFields<Real> row_fields() const {
+    alignas(64) std::array<std::int64_t, lanes> places;
+    hn::Store(place_, W(), places.data());
+    std::array<const Row*, lanes> rows;
+    for (std::size_t k = 0; k < lanes; ++k) rows[k] = rows_ + places[k];
+    return load_rows(d, rows.data());
+  }
   HWY_INLINE void add(Real weight, Real r, Real g, Real b) {
     weight_ = hn::Add(weight_, weight);
     r_ = hn::Add(r_, hn::Mul(weight, r));
@@ -251,18 +261,18 @@ class Packet {
   // Of all lanes.
   const PacketTask* task_ = nullptr;
   const Row* rows_ = nullptr;
-  bool turns_far_ = false;  // a row's first voxel may lie a mirror period aside of the last one's, or more
+  std::vector<moire::Tally::Sum> sums_;  // row after row, lane after lane
+  bool turns_far_ = false;               // a row's first voxel may lie a mirror period aside of the last one's, or more
   std::size_t row_count_ = 0;
-  moire::Tally* pieces_ = nullptr;
+  std::span<const PacketLine> lines_;
   bool swapped_ = false;
   double z_ = 0, eye_p_ = 0, eye_q_unscaled_ = 0;
   std::int64_t shift_q_ = 0;
   std::uint64_t hits_ = 0;
-  int walking_ = 0;
+  bool walking_ = false;
 
   // Of the row, by lane.
-  std::array<std::size_t, lanes> slots_{}, row_{};
-  std::array<const Row*, lanes> row_data_{};
+  hn::Vec<W> place_;  // of the lane's row in rows_ and sums_
   Real m_, scaled_m_, slope_, last_slope_, at_, end_at_, weight_, r_, g_, b_;
   // Of the leg.
   Real p_, live_, end_, stop_, eye_q_, width_, inverse_width_, end_of_level_, sure_end_, step_place_;
@@ -275,15 +285,15 @@ class Packet {
 
 template <Interpolation interpolation>
 HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows& rows,
-                                             std::span<const PacketLine> lines, moire::Tally& pieces) {
+                                             std::span<const PacketLine> lines) {
   task_ = &task;
   rows_ = rows.data();
   row_count_ = rows.count();
-  pieces_ = &pieces;
+  lines_ = lines;
+  sums_.resize((row_count_ + 1) * lanes);
   swapped_ = task.octant.swapped;
   z_ = task.view.z;
   hits_ = 0;
-  walking_ = 0;
   const Voxels::Level& finest = task.view.voxels->level(0);
   const double reach = task.view.far / std::min(task.view.spacing_x, task.view.spacing_y);
   const int period_q = swapped_ ? finest.column_period() : finest.row_period();
@@ -296,17 +306,18 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   line_z_ = hn::LoadU(d, rays.z.data());
 
   std::array<double, lanes> live{};
+  std::array<std::int64_t, lanes> places{};
   for (std::size_t k = 0; k < lanes; ++k) {
     const bool walks = k < lines.size() && lines[k].fits;
-    row_data_[k] = rows_ + (walks ? k : row_count_ * lanes + k);
     live[k] = walks ? 1 : 0;
-    slots_[k] = k < lines.size() ? lines[k].first_slot : 0;
-    walking_ += walks;
+    places[k] = static_cast<std::int64_t>(walks ? k : row_count_ * lanes + k);
   }
-  if (walking_ == 0) return;
   live_ = hn::LoadU(d, live.data());
+  place_ = hn::LoadU(W(), places.data());
+  walking_ = std::find(live.begin(), live.end(), 1) != live.end();
+  if (!walking_) return;
   at_ = real(task.cuts[0]);
-  const auto row = load_rows(d, row_data_.data());
+  const auto row = row_fields();
   m_ = row.m;
   slope_ = row.first_slope;
   last_slope_ = row.last_slope;
@@ -408,25 +419,20 @@ HWY_NOINLINE void Packet<interpolation>::count_laps() {
 // Goes on to the next row in these lanes.
 template <Interpolation interpolation>
 HWY_INLINE void Packet<interpolation>::end_rows(Mask ended) {
-  alignas(64) std::array<double, lanes> weight, r, g, b;
-  hn::Store(weight_, d, weight.data());
-  hn::Store(r_, d, r.data());
-  hn::Store(g_, d, g.data());
-  hn::Store(b_, d, b.data());
-  const moire::Tally::Adder<false> add(*pieces_);
-  int done = 0;
-  for_each_lane(ended, [&](std::size_t k) {
-    add.sum(slots_[k] + row_[k], {weight[k], r[k], g[k], b[k]});
-    row_data_[k] += lanes;
-    if (++row_[k] == row_count_) ++done;
-  });
+  // The sums of all lanes: those whose row goes on are written again.
+  alignas(64) std::array<moire::Tally::Sum, lanes> sums;
+  alignas(64) std::array<std::int64_t, lanes> places;
+  hn::StoreInterleaved4(weight_, r_, g_, b_, d, &sums[0].weight);
+  hn::Store(place_, W(), places.data());
+  for (std::size_t k = 0; k < lanes; ++k) sums_[static_cast<std::size_t>(places[k])] = sums[k];
   weight_ = hn::IfThenZeroElse(ended, weight_);
   r_ = hn::IfThenZeroElse(ended, r_);
   g_ = hn::IfThenZeroElse(ended, g_);
   b_ = hn::IfThenZeroElse(ended, b_);
   first_hit_ = hn::IfThenElse(hn::And(ended, hn::Lt(first_hit_, hn::Zero(d))), last_hit_, first_hit_);
 
-  const auto row = load_rows(d, row_data_.data());
+  place_ = hn::Add(place_, hn::IfThenElseZero(hn::RebindMask(W(), ended), hn::Set(W(), lanes)));
+  const auto row = row_fields();
   const Real m = row.m;
   at_ = hn::IfThenElse(ended, end_at_, at_);
   slope_ = hn::IfThenElse(ended, row.first_slope, slope_);
@@ -439,13 +445,11 @@ HWY_INLINE void Packet<interpolation>::end_rows(Mask ended) {
 
   if (HWY_UNLIKELY(turns_far_)) count_laps();
 
-  if (HWY_UNLIKELY(done > 0)) {
-    walking_ -= done;
-    // A slope that is no number: of the rows' end.
-    const Mask over = hn::IsNaN(slope_);
-    live_ = hn::IfThenZeroElse(over, live_);
-    end_ = hn::IfThenElse(over, real(infinity), end_);
-  }
+  // Beyond the last row the slope is no number.
+  const Mask over = hn::IsNaN(slope_);
+  live_ = hn::IfThenZeroElse(over, live_);
+  end_ = hn::IfThenElse(over, real(infinity), end_);
+  walking_ = !hn::AllTrue(d, over);
 }
 
 // Lets lanes that stand at the end of their leg enter the next one, and gives the sky its due in those that see no more
@@ -571,26 +575,28 @@ HWY_INLINE void Packet<interpolation>::step() {
 }
 
 template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::finish() {
-  moire::Counters& counters = pieces_->counters;
-  counters.hits += hits_;
-  for (std::size_t k = 0; k < lanes; ++k) {
-    if (row_[k] > 0) counters.queries += row_count_;
+HWY_INLINE void Packet<interpolation>::finish(moire::Tally& pieces) const {
+  const moire::Tally::Adder<false> add(pieces);
+  pieces.counters.hits += hits_;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    if (!lines_[k].fits) continue;
+    for (std::size_t i = 0; i < row_count_; ++i) add.sum(lines_[k].first_slot + i, sums_[i * lanes + k]);
+    pieces.counters.queries += row_count_;
     const double first = lane(first_hit_, k), last = lane(last_hit_, k);
-    if (first >= 0) counters.steps += 1 + static_cast<std::uint64_t>(last - first);
+    if (first >= 0) pieces.counters.steps += 1 + static_cast<std::uint64_t>(last - first);
   }
 }
 
 template <Interpolation interpolation>
 HWY_INLINE void follow_as(const PacketTask& task, std::span<PacketLine> lines, moire::Tally& pieces) {
   Rows rows;
+  Packet<interpolation> packet;
   for (std::size_t first = 0; first < lines.size(); first += lanes) {
     const std::span<PacketLine> some = lines.subspan(first, std::min(lanes, lines.size() - first));
     rows.prepare(task, some);
-    Packet<interpolation> packet;
-    packet.begin(task, rows, some, pieces);
+    packet.begin(task, rows, some);
     while (packet.walks()) packet.step();
-    packet.finish();
+    packet.finish(pieces);
   }
 }
 
