@@ -13,7 +13,6 @@
 #define HWY_TARGET_INCLUDE "packet_lanes.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -208,134 +207,18 @@ HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> line
   });
 }
 
-// Lanes side by side.
-template <Interpolation interpolation>
-class Packet {
- public:
-  void begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines);
-  bool walks() const { return walking_; }
-  void step();
-  // Hands over what the rows have seen.
-  void finish(moire::Tally& pieces) const;
-
- private:
-  void end_rows(Mask ended);
-  void find_end(Mask changed, Real m);
-  void pass_over();
-  void load_leg(std::size_t k);
-  // `index` or, where that lies without 0 .. period - 1, the one a period away.
-  static HWY_INLINE Int wrapped_down(Int index, Int period) {
-    constexpr hn::Rebind<std::uint32_t, D> u;
-    return hn::BitCast(I(), hn::Min(hn::BitCast(u, index), hn::BitCast(u, hn::Sub(index, period))));
-  }
-  static HWY_INLINE Int wrapped_up(Int index, Int period) {
-    constexpr hn::Rebind<std::uint32_t, D> u;
-    return hn::BitCast(I(), hn::Min(hn::BitCast(u, index), hn::BitCast(u, hn::Add(index, period))));
-  }
-  static HWY_INLINE Int folded(Int index, Int period) {
-    return hn::Min(index, hn::Sub(hn::Sub(period, hn::Set(I(), 1)), index));
-  }
-  // Where the cells of these places lie in their level. Requires: both reduced to one mirror period.
-  HWY_INLINE Int places(Int p, Int q) const {
-    const Int at_p = folded(p, period_p_), at_q = folded(q, period_q_);
-    const Int row = swapped_ ? at_p : at_q, column = swapped_ ? at_q : at_p;
-    return hn::Add(hn::Mul(row, row_width_), column);
-  }
-  void count_laps();
-  // Of each lane's row.
-  HWY_INLINE RowFields<Real> row_fields() const {
-    alignas(64) std::array<std::int64_t, lanes> places;
-    hn::Store(place_, W(), places.data());
-    std::array<const Row*, lanes> rows;
-    for (std::size_t k = 0; k < lanes; ++k) rows[k] = rows_ + places[k];
-    return load_rows(d, rows.data());
-  }
-  HWY_INLINE void add(Real weight, Real r, Real g, Real b) {
-    weight_ = hn::Add(weight_, weight);
-    r_ = hn::Add(r_, hn::Mul(weight, r));
-    g_ = hn::Add(g_, hn::Mul(weight, g));
-    b_ = hn::Add(b_, hn::Mul(weight, b));
-  }
-  HWY_INLINE void deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q, Int reduced_q, Real x1);
-
-  // Of all lanes.
-  const PacketTask* task_ = nullptr;
-  const Row* rows_ = nullptr;
-  std::vector<moire::Tally::Sum> sums_;  // row after row, lane after lane
-  bool turns_far_ = false;               // a row's first voxel may lie a mirror period aside of the last one's, or more
-  std::size_t row_count_ = 0;
-  std::span<const PacketLine> lines_;
-  bool swapped_ = false;
-  double z_ = 0, eye_p_ = 0, eye_q_unscaled_ = 0;
-  std::int64_t shift_q_ = 0;
-  std::uint64_t hits_ = 0;
-  bool walking_ = false;
-
-  // Of the row, by lane.
-  hn::Vec<W> place_;  // of the lane's row in rows_ and sums_
-  Real m_, scaled_m_, slope_, last_slope_, at_, end_at_, weight_, r_, g_, b_;
-  // Of the leg.
-  Real p_, live_, end_, stop_, eye_q_, width_, inverse_width_, end_of_level_, sure_end_, step_place_;
-  Real first_hit_, last_hit_, line_p0_, line_z_;
-  Int at_p_, laps_q_;  // p reduced to one mirror period, and what to take away from q
-  Int period_p_, period_q_, row_width_;
-  std::array<const Cell*, lanes> cells_{};
-  std::vector<Walk<false>> walks_;
-};
-
-template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows& rows,
-                                             std::span<const PacketLine> lines) {
-  task_ = &task;
-  rows_ = rows.data();
-  row_count_ = rows.count();
-  lines_ = lines;
-  sums_.resize((row_count_ + 1) * lanes);
-  swapped_ = task.octant.swapped;
-  z_ = task.view.z;
-  hits_ = 0;
-  const Voxels::Level& finest = task.view.voxels->level(0);
-  const double reach = task.view.far / std::min(task.view.spacing_x, task.view.spacing_y);
-  const int period_q = swapped_ ? finest.column_period() : finest.row_period();
-  turns_far_ = rows.largest_turn() * reach + 1 > period_q / 2.0;
-  const Real zero = hn::Zero(d);
-  weight_ = r_ = g_ = b_ = zero;
-  first_hit_ = last_hit_ = real(-1);
-  const Rays rays(lines);
-  line_p0_ = along(task.octant, hn::LoadU(d, rays.x.data()), hn::LoadU(d, rays.y.data()));
-  line_z_ = hn::LoadU(d, rays.z.data());
-
-  std::array<double, lanes> live{};
-  std::array<std::int64_t, lanes> places{};
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const bool walks = k < lines.size() && lines[k].fits;
-    live[k] = walks ? 1 : 0;
-    places[k] = static_cast<std::int64_t>(walks ? k : row_count_ * lanes + k);
-  }
-  live_ = hn::LoadU(d, live.data());
-  place_ = hn::LoadU(W(), places.data());
-  walking_ = std::find(live.begin(), live.end(), 1) != live.end();
-  if (!walking_) return;
-  at_ = real(task.cuts[0]);
-  const auto row = row_fields();
-  m_ = row.m;
-  slope_ = row.first_slope;
-  last_slope_ = row.last_slope;
-  end_at_ = row.end;
-
-  // Lanes without a line stand where the first one does, and go nowhere.
-  walks_.clear();
-  const auto first = static_cast<std::size_t>(
-      std::find_if(lines.begin(), lines.end(), [](const PacketLine& line) { return line.fits; }) - lines.begin());
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const std::size_t like = live[k] > 0 ? k : first;
-    Plane plane = task.octant;
-    plane.m = rows_[like].m;
-    walks_.emplace_back(task.view);
-    walks_.back().start(plane, rows_[like].first_slope);
-    load_leg(k);
-  }
-  end_ = hn::IfThenElse(hn::Gt(live_, zero), end_, real(infinity));
+// `index` or, where that lies without 0 .. period - 1, the one a period away.
+HWY_INLINE Int wrapped_down(Int index, Int period) {
+  constexpr hn::Rebind<std::uint32_t, D> u;
+  return hn::BitCast(I(), hn::Min(hn::BitCast(u, index), hn::BitCast(u, hn::Sub(index, period))));
+}
+HWY_INLINE Int wrapped_up(Int index, Int period) {
+  constexpr hn::Rebind<std::uint32_t, D> u;
+  return hn::BitCast(I(), hn::Min(hn::BitCast(u, index), hn::BitCast(u, hn::Add(index, period))));
+}
+// The voxel that an index of a mirrored map shows. Requires: reduced to one period.
+HWY_INLINE Int folded(Int index, Int period) {
+  return hn::Min(index, hn::Sub(hn::Sub(period, hn::Set(I(), 1)), index));
 }
 
 template <class V, class T>
@@ -354,46 +237,201 @@ HWY_INLINE auto lane(V vector, std::size_t k) {
   return values[k];
 }
 
+// Lanes side by side.
+template <Interpolation interpolation>
+class Packet {
+ public:
+  void begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines);
+  // Walks until the last row of every lane is seen.
+  void walk();
+  // Hands over what the rows have seen.
+  void finish(moire::Tally& pieces) const;
+
+ private:
+  // What changes from step to step. The walk has a copy of its own, for the compiler to keep in registers.
+  struct State {
+    Real p;                              // voxel of the leg's level
+    Int at_p, at_q, laps_q;              // reduced to one mirror period, and what was taken away from q
+    Real m, scaled_m;                    // of the row's plane; the same in voxels of the leg's level
+    Real slope, last_slope, at, end_at;  // of the rays, and along the line, where the row is seen so far and ends
+    Real weight, r, g, b;                // sums of the row
+    Real last_hit;                       // p of the last voxel met
+    std::uint64_t hits;
+  };
+
+  void step(State& state);
+  void end_rows(State& state, Mask ended);
+  void find_end(State& state, Mask changed, Real m);
+  void pass_over(State& state);
+  void load_leg(State& state, std::size_t k);
+  void look_ahead(const State& state);
+  // Where the cells of these places lie in their level. Requires: both reduced to one mirror period.
+  HWY_INLINE Int places(Int p, Int q) const {
+    const Int at_p = folded(p, period_p_), at_q = folded(q, period_q_);
+    const Int row = swapped_ ? at_p : at_q, column = swapped_ ? at_q : at_p;
+    return hn::Add(hn::Mul(row, row_width_), column);
+  }
+  void count_laps(State& state);
+  // Of each lane's row.
+  HWY_INLINE RowFields<Real> row_fields() const {
+    alignas(64) std::array<std::int64_t, lanes> places;
+    hn::Store(place_, W(), places.data());
+    std::array<const Row*, lanes> rows;
+    for (std::size_t k = 0; k < lanes; ++k) rows[k] = rows_ + places[k];
+    return load_rows(d, rows.data());
+  }
+  static HWY_INLINE void add(State& state, Real weight, Real r, Real g, Real b) {
+    state.weight = hn::Add(state.weight, weight);
+    state.r = hn::Add(state.r, hn::Mul(weight, r));
+    state.g = hn::Add(state.g, hn::Mul(weight, g));
+    state.b = hn::Add(state.b, hn::Mul(weight, b));
+  }
+  HWY_INLINE void deposit(State& state, Real weight, const Cells& cells, Real p, Real q, Real x1);
+
+  // Of all lanes.
+  const PacketTask* task_ = nullptr;
+  const Row* rows_ = nullptr;
+  std::vector<moire::Tally::Sum> sums_;  // row after row, lane after lane
+  bool turns_far_ = false;               // a row's first voxel may lie a mirror period aside of the last one's, or more
+  std::size_t row_count_ = 0;
+  std::span<const PacketLine> lines_;
+  bool swapped_ = false;
+  double z_ = 0, eye_p_ = 0, eye_q_unscaled_ = 0;
+  std::int64_t shift_q_ = 0;
+  bool walking_ = false;
+  std::ptrdiff_t ahead_ = 0;  // from a cell to the one some steps ahead, as far as the first lane can tell
+  State state_{};
+
+  // Of the row, by lane.
+  hn::Vec<W> place_;  // of the lane's row in rows_ and sums_
+  // Of the leg.
+  Real live_, end_, stop_, eye_q_, width_, half_width_, inverse_width_, end_of_level_, sure_end_, step_place_;
+  Real first_hit_, line_p0_, line_z_;
+  Int period_p_, period_q_, row_width_;
+  std::array<const Cell*, lanes> cells_{};
+  std::vector<Walk<false>> walks_;
+};
+
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows& rows,
+                                             std::span<const PacketLine> lines) {
+  task_ = &task;
+  rows_ = rows.data();
+  row_count_ = rows.count();
+  lines_ = lines;
+  sums_.resize((row_count_ + 1) * lanes);
+  swapped_ = task.octant.swapped;
+  z_ = task.view.z;
+  State& state = state_;
+  state.hits = 0;
+  const Voxels::Level& finest = task.view.voxels->level(0);
+  const double reach = task.view.far / std::min(task.view.spacing_x, task.view.spacing_y);
+  const int period_q = swapped_ ? finest.column_period() : finest.row_period();
+  turns_far_ = rows.largest_turn() * reach + 1 > period_q / 2.0;
+  const Real zero = hn::Zero(d);
+  state.weight = state.r = state.g = state.b = zero;
+  first_hit_ = state.last_hit = real(-infinity);
+  const Rays rays(lines);
+  line_p0_ = along(task.octant, hn::LoadU(d, rays.x.data()), hn::LoadU(d, rays.y.data()));
+  line_z_ = hn::LoadU(d, rays.z.data());
+
+  std::array<double, lanes> live{};
+  std::array<std::int64_t, lanes> places{};
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const bool walks = k < lines.size() && lines[k].fits;
+    live[k] = walks ? 1 : 0;
+    places[k] = static_cast<std::int64_t>(walks ? k : row_count_ * lanes + k);
+  }
+  live_ = hn::LoadU(d, live.data());
+  place_ = hn::LoadU(W(), places.data());
+  walking_ = std::find(live.begin(), live.end(), 1) != live.end();
+  if (!walking_) return;
+  state.at = real(task.cuts[0]);
+  const auto row = row_fields();
+  state.m = row.m;
+  state.slope = row.first_slope;
+  state.last_slope = row.last_slope;
+  state.end_at = row.end;
+
+  // Lanes without a line stand where the first one does, and go nowhere.
+  walks_.clear();
+  const auto first = static_cast<std::size_t>(
+      std::find_if(lines.begin(), lines.end(), [](const PacketLine& line) { return line.fits; }) - lines.begin());
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const std::size_t like = live[k] > 0 ? k : first;
+    Plane plane = task.octant;
+    plane.m = rows_[like].m;
+    walks_.emplace_back(task.view);
+    walks_.back().start(plane, rows_[like].first_slope);
+    load_leg(state, k);
+  }
+  end_ = hn::IfThenElse(hn::Ge(state.slope, zero), real(-infinity), end_);
+  end_ = hn::IfThenElse(hn::Gt(live_, zero), end_, real(infinity));
+  look_ahead(state);
+}
+
+template <Interpolation interpolation>
+void Packet<interpolation>::walk() {
+  State state = state_;
+  while (walking_) step(state);
+  state_ = state;
+}
+
+// Cells are fetched some steps before they are looked at: no cache holds a large map. Where to is taken from the first
+// lane, which mirrored or not goes on in rows and columns as its neighbours do; being wrong costs time only.
+template <Interpolation interpolation>
+HWY_INLINE void Packet<interpolation>::look_ahead(const State& state) {
+  const int row_width = hn::GetLane(row_width_);
+  const auto forward = [](int at, int period, int stride) { return at < period / 2 ? stride : -stride; };
+  const int to_p = forward(hn::GetLane(state.at_p), hn::GetLane(period_p_), swapped_ ? row_width : 1);
+  const int to_q = forward(hn::GetLane(state.at_q), hn::GetLane(period_q_), swapped_ ? 1 : row_width);
+  const int aside = static_cast<int>(steps_ahead * hn::GetLane(state.m));
+  ahead_ = static_cast<std::ptrdiff_t>(sizeof(Cell)) * (steps_ahead * to_p + aside * to_q);
+}
+
 // Takes over what the lane's own walk knows of the leg that lies ahead.
 template <Interpolation interpolation>
-HWY_NOINLINE void Packet<interpolation>::load_leg(std::size_t k) {
+HWY_NOINLINE void Packet<interpolation>::load_leg(State& state, std::size_t k) {
   const Walk<false>::Leg leg = walks_[k].leg();
   const Voxels::Level& level = task_->view.voxels->level(leg.level);
   const double inverse_width = std::ldexp(1.0, -leg.level);
   eye_p_ = leg.eye_p;
   eye_q_unscaled_ = leg.eye_q;
   shift_q_ = leg.shift_q;
-  set_lane(p_, k, leg.p);
+  set_lane(state.p, k, leg.p);
   set_lane(end_, k, leg.end);
   set_lane(end_of_level_, k, leg.end_of_level);
   set_lane(stop_, k, leg.stop);
   set_lane(sure_end_, k, leg.sure_end);
+  set_lane(state.last_hit, k, lane(state.last_hit, k) + lane(step_place_, k) - leg.place);
   set_lane(step_place_, k, leg.place);
   set_lane(width_, k, std::ldexp(1.0, leg.level));
+  set_lane(half_width_, k, std::ldexp(0.5, leg.level));
   set_lane(inverse_width_, k, inverse_width);
   set_lane(eye_q_, k, leg.eye_q * inverse_width);
-  set_lane(scaled_m_, k, lane(m_, k) * inverse_width);
+  set_lane(state.scaled_m, k, lane(state.m, k) * inverse_width);
   const int period_p = swapped_ ? level.row_period() : level.column_period();
   const int period_q = swapped_ ? level.column_period() : level.row_period();
   set_lane(period_p_, k, period_p);
   set_lane(period_q_, k, period_q);
-  set_lane(at_p_, k, static_cast<std::int64_t>(leg.p) % period_p);
+  set_lane(state.at_p, k, static_cast<std::int64_t>(leg.p) % period_p);
   const double x = std::max((leg.p + 0.5) * lane(width_, k) - leg.eye_p, 0.0);
-  const auto q = static_cast<std::int64_t>((leg.eye_q + x * lane(m_, k)) * inverse_width);
-  set_lane(laps_q_, k, q - q % period_q);
+  const auto q = static_cast<std::int64_t>((leg.eye_q + x * lane(state.m, k)) * inverse_width);
+  set_lane(state.at_q, k, q % period_q);
+  set_lane(state.laps_q, k, q - q % period_q);
   set_lane(row_width_, k, level.width);
   cells_[k] = level.cells.data();
 }
 
 // Walk::find_end for lanes whose plane has changed where the far limit is near.
 template <Interpolation interpolation>
-HWY_NOINLINE void Packet<interpolation>::find_end(Mask changed, Real m) {
+HWY_NOINLINE void Packet<interpolation>::find_end(State& state, Mask changed, Real m) {
   const View& view = task_->view;
   const Real spacing_p = real(swapped_ ? view.spacing_y : view.spacing_x);
   const Real spacing_q = real(swapped_ ? view.spacing_x : view.spacing_y);
   const Real unit =
       hn::Sqrt(hn::Add(hn::Mul(spacing_p, spacing_p), hn::Mul(hn::Mul(hn::Mul(m, m), spacing_q), spacing_q)));
-  const Mask stopped = hn::Ge(p_, end_), sure = hn::Lt(p_, sure_end_);
+  const Mask stopped = hn::Ge(state.p, end_), sure = hn::Lt(state.p, sure_end_);
   const Real limit = hn::Div(real(view.far), unit);
   const Real stop = hn::IfThenElse(sure, real(infinity), limit);
   const Real limit_end = hn::Ceil(hn::Mul(hn::Add(real(eye_p_), limit), inverse_width_));
@@ -402,96 +440,97 @@ HWY_NOINLINE void Packet<interpolation>::find_end(Mask changed, Real m) {
   stop_ = hn::IfThenElse(changed, stop, stop_);
   end_ = hn::IfThenElse(changed, end, end_);
   const Real back = hn::IfThenElseZero(gained, real(1));
-  p_ = hn::Sub(p_, back);
-  at_p_ = wrapped_up(hn::Sub(at_p_, hn::DemoteTo(I(), back)), period_p_);
+  state.p = hn::Sub(state.p, back);
+  state.at_p = wrapped_up(hn::Sub(state.at_p, hn::DemoteTo(I(), back)), period_p_);
 }
 
 // Finds anew how many mirror periods aside of the eye the lanes stand.
 template <Interpolation interpolation>
-HWY_NOINLINE void Packet<interpolation>::count_laps() {
+HWY_NOINLINE void Packet<interpolation>::count_laps(State& state) {
   for (std::size_t k = 0; k < lanes; ++k) {
-    const double x = std::max((lane(p_, k) + 0.5) * lane(width_, k) - eye_p_, 0.0);
-    const auto q = static_cast<std::int32_t>(lane(eye_q_, k) + x * lane(scaled_m_, k));
-    set_lane(laps_q_, k, q - q % lane(period_q_, k));
+    const double x = std::max((lane(state.p, k) + 0.5) * lane(width_, k) - eye_p_, 0.0);
+    const auto q = static_cast<std::int32_t>(lane(eye_q_, k) + x * lane(state.scaled_m, k));
+    set_lane(state.laps_q, k, q - q % lane(period_q_, k));
   }
 }
 
 // Goes on to the next row in these lanes.
 template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::end_rows(Mask ended) {
+HWY_INLINE void Packet<interpolation>::end_rows(State& state, Mask ended) {
   // The sums of all lanes: those whose row goes on are written again.
   alignas(64) std::array<moire::Tally::Sum, lanes> sums;
   alignas(64) std::array<std::int64_t, lanes> places;
-  hn::StoreInterleaved4(weight_, r_, g_, b_, d, &sums[0].weight);
+  hn::StoreInterleaved4(state.weight, state.r, state.g, state.b, d, &sums[0].weight);
   hn::Store(place_, W(), places.data());
   for (std::size_t k = 0; k < lanes; ++k) sums_[static_cast<std::size_t>(places[k])] = sums[k];
-  weight_ = hn::IfThenZeroElse(ended, weight_);
-  r_ = hn::IfThenZeroElse(ended, r_);
-  g_ = hn::IfThenZeroElse(ended, g_);
-  b_ = hn::IfThenZeroElse(ended, b_);
-  first_hit_ = hn::IfThenElse(hn::And(ended, hn::Lt(first_hit_, hn::Zero(d))), last_hit_, first_hit_);
+  state.weight = hn::IfThenZeroElse(ended, state.weight);
+  state.r = hn::IfThenZeroElse(ended, state.r);
+  state.g = hn::IfThenZeroElse(ended, state.g);
+  state.b = hn::IfThenZeroElse(ended, state.b);
+  const Mask unhit = hn::Lt(first_hit_, hn::Zero(d));
+  first_hit_ = hn::IfThenElse(hn::And(ended, unhit), hn::Add(state.last_hit, step_place_), first_hit_);
 
   place_ = hn::Add(place_, hn::IfThenElseZero(hn::RebindMask(W(), ended), hn::Set(W(), lanes)));
   const auto row = row_fields();
   const Real m = row.m;
-  at_ = hn::IfThenElse(ended, end_at_, at_);
-  slope_ = hn::IfThenElse(ended, row.first_slope, slope_);
-  last_slope_ = row.last_slope;
-  end_at_ = row.end;
-  const Mask near_limit = hn::And(hn::And(ended, hn::Lt(stop_, real(infinity))), hn::Ne(m, m_));
-  m_ = m;
-  scaled_m_ = hn::Mul(m, inverse_width_);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, near_limit))) find_end(near_limit, m);
+  state.at = hn::IfThenElse(ended, state.end_at, state.at);
+  state.slope = hn::IfThenElse(ended, row.first_slope, state.slope);
+  state.last_slope = row.last_slope;
+  state.end_at = row.end;
+  const Mask near_limit = hn::And(hn::And(ended, hn::Lt(stop_, real(infinity))), hn::Ne(m, state.m));
+  state.m = m;
+  state.scaled_m = hn::Mul(m, inverse_width_);
+  if (HWY_UNLIKELY(turns_far_ || !hn::AllFalse(d, near_limit))) {
+    State moved = state;
+    find_end(moved, near_limit, m);
+    if (turns_far_) count_laps(moved);
+    state = moved;
+  }
 
-  if (HWY_UNLIKELY(turns_far_)) count_laps();
-
-  // Beyond the last row the slope is no number.
-  const Mask over = hn::IsNaN(slope_);
+  // Above the horizon no terrain is left. Beyond the last row the slope is no number.
+  const Mask above = hn::Ge(state.slope, hn::Zero(d)), over = hn::IsNaN(state.slope);
+  end_ = hn::IfThenElse(above, real(-infinity), hn::IfThenElse(over, real(infinity), end_));
   live_ = hn::IfThenZeroElse(over, live_);
-  end_ = hn::IfThenElse(over, real(infinity), end_);
   walking_ = !hn::AllTrue(d, over);
+  look_ahead(state);
 }
 
 // Lets lanes that stand at the end of their leg enter the next one, and gives the sky its due in those that see no more
 // terrain in their row.
 template <Interpolation interpolation>
-HWY_NOINLINE void Packet<interpolation>::pass_over() {
+HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
   const Real zero = hn::Zero(d);
   for (;;) {
-    const Mask at_end = hn::Ge(p_, end_), above = hn::Ge(slope_, zero);
+    const Mask at_end = hn::Ge(state.p, end_), above = hn::Ge(state.slope, zero);
     Mask sky = hn::Or(above, hn::And(at_end, hn::And(hn::Lt(stop_, real(infinity)), hn::Lt(end_, end_of_level_))));
     const Mask leg_ends = hn::AndNot(sky, at_end);
     if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) return;
     for_each_lane(leg_ends, [&](std::size_t k) {
       Walk<false>::Leg leg{};
-      leg.p = lane(p_, k), leg.end = lane(end_, k), leg.stop = lane(stop_, k);
-      const bool goes_on = walks_[k].next_leg(leg, lane(m_, k));
-      load_leg(k);
-      if (!goes_on) set_lane(end_, k, lane(p_, k));
+      leg.p = lane(state.p, k), leg.end = lane(end_, k), leg.stop = lane(stop_, k);
+      const bool goes_on = walks_[k].next_leg(leg, lane(state.m, k));
+      load_leg(state, k);
+      if (!goes_on) set_lane(end_, k, lane(state.p, k));
     });
-    sky = hn::Or(sky, hn::And(leg_ends, hn::Ge(p_, end_)));
+    sky = hn::Or(sky, hn::And(leg_ends, hn::Ge(state.p, end_)));
     if (hn::AllFalse(d, sky)) continue;
-    const Real weight = hn::Sub(hn::IfThenElse(sky, end_at_, at_), at_);
-    const Mask seen = hn::Gt(weight, zero);
-    add(hn::IfThenElseZero(seen, weight), real(task_->sky.r), real(task_->sky.g), real(task_->sky.b));
-    end_rows(sky);
+    const Real weight = hn::Sub(hn::IfThenElse(sky, state.end_at, state.at), state.at);
+    add(state, weight, real(task_->sky.r), real(task_->sky.g), real(task_->sky.b));
+    end_rows(state, sky);
   }
 }
 
 template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::deposit(Real weight, Mask seen, const Cells& cells, Real p, Real q,
-                                               Int reduced_q, Real x1) {
-  const auto only = [&](Real channel) HWY_ATTR { return hn::IfThenElseZero(seen, channel); };
-  weight = only(weight);
+HWY_INLINE void Packet<interpolation>::deposit(State& state, Real weight, const Cells& cells, Real p, Real q, Real x1) {
   if constexpr (interpolation == Interpolation::nearest) {
-    (void)p, (void)q, (void)reduced_q, (void)x1;
-    add(weight, only(cells.r), only(cells.g), only(cells.b));
+    (void)p, (void)q, (void)x1;
+    add(state, weight, cells.r, cells.g, cells.b);
   } else {
     // Look::surface_point in the middle of the voxel, along the axis across the walk.
     const bool flip = task_->octant.flip_q;
     const Real x0 = larger(hn::Sub(hn::Mul(p, width_), real(eye_p_)), hn::Zero(d));
     const Real middle = hn::Div(hn::Add(x0, x1), real(2));
-    const Real aside = hn::Mul(middle, m_);
+    const Real aside = hn::Mul(middle, state.m);
     const Real eye = real(swapped_ ? task_->view.x : task_->view.y);
     const Real unreduced = hn::Add(q, hn::Mul(real(static_cast<double>(shift_q_)), inverse_width_));
     const Real texel = flip ? hn::Sub(real(-1), unreduced) : unreduced;
@@ -503,86 +542,83 @@ HWY_INLINE void Packet<interpolation>::deposit(Real weight, Mask seen, const Cel
     const Real whole = hn::Floor(between), fraction = hn::Sub(between, whole);
     const Mask own_first = hn::Eq(whole, texel);
     const Real aside_by = hn::IfThenElse(own_first, real(flip ? -1 : 1), real(flip ? 1 : -1));
-    const Int other_q = hn::Add(reduced_q, hn::DemoteTo(I(), aside_by));
-    const Int other_places = places(at_p_, wrapped_down(wrapped_up(other_q, period_q_), period_q_));
+    const Int other_q = hn::Add(state.at_q, hn::DemoteTo(I(), aside_by));
+    const Int other_places = places(state.at_p, wrapped_down(wrapped_up(other_q, period_q_), period_q_));
     std::array<std::int32_t, lanes> indices;
     hn::StoreU(other_places, I(), indices.data());
     std::array<const Cell*, lanes> others;
     for (std::size_t k = 0; k < lanes; ++k) others[k] = cells_[k] + indices[k];
     const Cells other = load_cells(d, others.data());
     const auto pick = [&](Real own, Real neighbour, bool first_one) HWY_ATTR {
-      return only(first_one ? hn::IfThenElse(own_first, own, neighbour) : hn::IfThenElse(own_first, neighbour, own));
+      return (first_one ? hn::IfThenElse(own_first, own, neighbour) : hn::IfThenElse(own_first, neighbour, own));
     };
-    add(hn::Mul(weight, hn::Sub(real(1), fraction)), pick(cells.r, other.r, true), pick(cells.g, other.g, true),
+    add(state, hn::Mul(weight, hn::Sub(real(1), fraction)), pick(cells.r, other.r, true), pick(cells.g, other.g, true),
         pick(cells.b, other.b, true));
-    add(only(hn::Mul(weight, fraction)), pick(cells.r, other.r, false), pick(cells.g, other.g, false),
+    add(state, hn::Mul(weight, fraction), pick(cells.r, other.r, false), pick(cells.g, other.g, false),
         pick(cells.b, other.b, false));
   }
 }
 
 // Looks at one voxel in every lane.
 template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::step() {
+HWY_INLINE void Packet<interpolation>::step(State& state) {
   const Real zero = hn::Zero(d);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Or(hn::Ge(p_, end_), hn::Ge(slope_, zero))))) pass_over();
+  if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Ge(state.p, end_)))) {
+    State passed = state;
+    pass_over(passed);
+    state = passed;
+  }
 
-  const Real p = p_, eye_p = real(eye_p_);
+  const Real p = state.p, eye_p = real(eye_p_);
   const Real next = hn::Mul(hn::Add(p, real(1)), width_);
   const Real from_eye = hn::Sub(next, eye_p);
   const Real x1 = smaller(from_eye, stop_);
-  const Real middle = hn::Sub(hn::Sub(next, hn::Mul(width_, real(0.5))), eye_p);
-  const Real q = hn::Add(eye_q_, hn::Mul(larger(middle, zero), scaled_m_));
+  const Real middle = hn::Sub(hn::Sub(next, half_width_), eye_p);
+  const Real q = hn::Add(eye_q_, hn::Mul(larger(middle, zero), state.scaled_m));
   // q within a period of where it was last.
   const Int whole_q = hn::DemoteTo(I(), q);
-  const Int near_q = hn::Sub(whole_q, laps_q_);
-  const Int reduced_q = wrapped_down(wrapped_up(near_q, period_q_), period_q_);
-  laps_q_ = hn::Sub(whole_q, reduced_q);
+  const Int near_q = hn::Sub(whole_q, state.laps_q);
+  state.at_q = wrapped_down(wrapped_up(near_q, period_q_), period_q_);
+  state.laps_q = hn::Sub(whole_q, state.at_q);
 
-  // Fetched some steps before they are looked at: no cache holds a large map.
-  {
-    const Real x = hn::Add(x1, hn::Mul(width_, real(steps_ahead)));
-    const Int ahead_q = hn::Sub(hn::DemoteTo(I(), hn::Add(eye_q_, hn::Mul(x, scaled_m_))), laps_q_);
-    const Int ahead_p = hn::Add(at_p_, hn::Set(I(), steps_ahead));
-    const Int ahead = places(wrapped_down(ahead_p, period_p_), wrapped_down(ahead_q, period_q_));
-    std::array<std::int32_t, lanes> indices;
-    hn::StoreU(ahead, I(), indices.data());
-    for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(cells_[k] + indices[k]);
-  }
   std::array<std::int32_t, lanes> indices;
-  hn::StoreU(places(at_p_, reduced_q), I(), indices.data());
+  hn::StoreU(places(state.at_p, state.at_q), I(), indices.data());
   std::array<const Cell*, lanes> cells;
-  for (std::size_t k = 0; k < lanes; ++k) cells[k] = cells_[k] + indices[k];
+  for (std::size_t k = 0; k < lanes; ++k) {
+    cells[k] = cells_[k] + indices[k];
+    __builtin_prefetch(reinterpret_cast<const char*>(cells[k]) + ahead_);
+  }
   const Cells cell = load_cells(d, cells.data());
 
   const Real top = hn::Sub(cell.height, real(z_));
-  const Mask met = hn::Gt(top, hn::Mul(slope_, x1));
-  const Mask ends = hn::And(met, hn::Ge(top, hn::Mul(last_slope_, x1)));
-  hits_ += hn::CountTrue(d, met);
+  const Mask met = hn::Gt(top, hn::Mul(state.slope, x1));
+  const Mask ends = hn::And(met, hn::Ge(top, hn::Mul(state.last_slope, x1)));
+  state.hits += hn::CountTrue(d, met);
   // The image of the far edge of the box's top.
   const Real p1 = along(task_->octant, real(task_->step.x), real(task_->step.y));
   const Real edge = hn::Div(hn::Sub(hn::Mul(top, line_p0_), hn::Mul(line_z_, x1)),
                             hn::Sub(hn::Mul(real(task_->step.z), x1), hn::Mul(top, p1)));
-  Real until = smaller(larger(edge, at_), end_at_);
-  until = hn::IfThenElse(met, hn::IfThenElse(ends, end_at_, until), at_);
-  deposit(hn::Sub(until, at_), hn::Gt(until, at_), cell, p, hn::Trunc(q), reduced_q, x1);
-  at_ = until;
-  slope_ = hn::IfThenElse(met, smaller(hn::Div(top, x1), last_slope_), slope_);
-  last_hit_ = hn::IfThenElse(met, hn::Add(p, step_place_), last_hit_);
+  Real until = smaller(larger(edge, state.at), state.end_at);
+  until = hn::IfThenElse(met, hn::IfThenElse(ends, state.end_at, until), state.at);
+  deposit(state, hn::Sub(until, state.at), cell, p, hn::Trunc(q), x1);
+  state.at = until;
+  state.slope = hn::IfThenElse(met, smaller(hn::Div(top, x1), state.last_slope), state.slope);
+  state.last_hit = hn::IfThenElse(met, p, state.last_hit);
   const Real advance = hn::IfThenZeroElse(ends, live_);
-  p_ = hn::Add(p, advance);
-  at_p_ = wrapped_down(hn::Add(at_p_, hn::DemoteTo(I(), advance)), period_p_);
-  if (!hn::AllFalse(d, ends)) end_rows(ends);
+  state.p = hn::Add(p, advance);
+  state.at_p = wrapped_down(hn::Add(state.at_p, hn::DemoteTo(I(), advance)), period_p_);
+  if (!hn::AllFalse(d, ends)) end_rows(state, ends);
 }
 
 template <Interpolation interpolation>
 HWY_INLINE void Packet<interpolation>::finish(moire::Tally& pieces) const {
   const moire::Tally::Adder<false> add(pieces);
-  pieces.counters.hits += hits_;
+  pieces.counters.hits += state_.hits;
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     if (!lines_[k].fits) continue;
     for (std::size_t i = 0; i < row_count_; ++i) add.sum(lines_[k].first_slot + i, sums_[i * lanes + k]);
     pieces.counters.queries += row_count_;
-    const double first = lane(first_hit_, k), last = lane(last_hit_, k);
+    const double first = lane(first_hit_, k), last = lane(hn::Add(state_.last_hit, step_place_), k);
     if (first >= 0) pieces.counters.steps += 1 + static_cast<std::uint64_t>(last - first);
   }
 }
@@ -595,7 +631,7 @@ HWY_INLINE void follow_as(const PacketTask& task, std::span<PacketLine> lines, m
     const std::span<PacketLine> some = lines.subspan(first, std::min(lanes, lines.size() - first));
     rows.prepare(task, some);
     packet.begin(task, rows, some);
-    while (packet.walks()) packet.step();
+    packet.walk();
     packet.finish(pieces);
   }
 }
