@@ -28,7 +28,7 @@ bool packets_fit(const Look& look) {
   const Manner& manner = look.manner();
   const double reach = view.far / std::min(view.spacing_x, view.spacing_y);
   return !manner.grid && manner.resume && manner.retrace == 0 && view.z > view.voxels->highest() &&
-         std::max(std::abs(view.x), std::abs(view.y)) + reach < farthest;
+         view.voxels->colors_are_finite() && std::max(std::abs(view.x), std::abs(view.y)) + reach < farthest;
 }
 
 void follow_in_packets(const Look& look, moire::Color sky, Interpolation interpolation,

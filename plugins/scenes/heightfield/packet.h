@@ -13,7 +13,8 @@
 namespace heightfield {
 
 // Whether packets can follow lines of this look at all: one voxel a step, going on from row to row, from above all
-// summits. Seen from there only the far edge of a box counts, and no terrain is seen above the horizon.
+// summits, and finite colours, since a voxel that is not seen counts with weight 0. Seen from above only the far edge
+// of a box counts, and no terrain is seen above the horizon.
 bool packets_fit(const Look& look);
 
 // Lookups that packets know.
@@ -25,5 +26,8 @@ enum class Interpolation { nearest, linear_across };
 void follow_in_packets(const Look& look, moire::Color sky, Interpolation interpolation,
                        std::span<const moire::ImageLine> lines, std::span<const std::size_t> first_slots,
                        moire::Tally& pieces, std::vector<bool>& followed);
+
+// How many lines side by side the vectors of this machine hold.
+std::size_t lanes_of_packets();
 
 }  // namespace heightfield

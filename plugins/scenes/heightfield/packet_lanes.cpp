@@ -644,6 +644,8 @@ void follow(const PacketTask& task, std::span<PacketLine> lines, moire::Tally& p
   }
 }
 
+std::size_t lane_count() { return lanes; }
+
 }  // namespace heightfield::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -653,10 +655,13 @@ HWY_AFTER_NAMESPACE();
 namespace heightfield {
 
 HWY_EXPORT(follow);
+HWY_EXPORT(lane_count);
 
 void follow(const PacketTask& task, std::span<PacketLine> lines, moire::Tally& pieces) {
   HWY_DYNAMIC_DISPATCH(follow)(task, lines, pieces);
 }
+
+std::size_t lanes_of_packets() { return HWY_DYNAMIC_DISPATCH(lane_count)(); }
 
 }  // namespace heightfield
 

@@ -1,6 +1,7 @@
 #include "voxels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace heightfield {
 
@@ -56,6 +57,9 @@ Voxels::Voxels(const Terrain& terrain) {
   double sum = 0;
   for (float h : terrain.heights) sum += h;
   mean_height_ = sum / static_cast<double>(terrain.heights.size());
+  colors_are_finite_ = std::all_of(terrain.colors.begin(), terrain.colors.end(), [](moire::Color c) {
+    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+  });
 
   levels_.push_back(finest(terrain));
   while (levels_.back().width % 2 == 0 && levels_.back().height % 2 == 0) levels_.push_back(coarser(levels_.back()));

@@ -42,12 +42,14 @@ class Voxels {
   float lowest() const { return lowest_; }
   float highest() const { return highest_; }
   double mean_height() const { return mean_height_; }
+  bool colors_are_finite() const { return colors_are_finite_; }
   moire::Texture texture() const;
 
  private:
   std::vector<Level> levels_;
   float lowest_, highest_;
   double mean_height_;
+  bool colors_are_finite_;
 };
 
 }  // namespace heightfield
