@@ -33,6 +33,11 @@ constexpr moire::Parameter parameters[] = {
     choice("coherence", "resume", "none resume", "a ray goes on where the one below it ended, or starts afresh")
         .per_frame(),
     integer("retrace", 0, 0, 1 << 20, "voxels", "how far a resuming ray goes back first").per_frame(),
+    choice(
+        "skip", "auto", "auto on off",
+        "pass over voxels that their block's summit shows to be hidden: where a walk finds long runs of them, always "
+        "or never; the result is the same")
+        .per_frame(),
     flag("hierarchy", false, "walk over mean voxels as wide as a pixel's footprint").per_frame().exact_when("false"),
     real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, rounded down to a power of two")
         .per_frame(),

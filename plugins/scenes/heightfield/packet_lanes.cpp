@@ -198,9 +198,11 @@ HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> line
     hn::StoreInterleaved4(m, s0, s1, t1, d, &rows_[i * lanes].m);
   }
   largest_turn_ = hn::GetLane(hn::MaxOfLanes(d, largest_turn));
-  // Beyond the last row nothing is higher than the ray, nor is the ray above the horizon.
+  // Beyond the last row, in the same plane, nothing is higher than the ray, nor is the ray above the horizon.
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  std::fill_n(rows_.end() - lanes, lanes, Row{0, nothing, nothing, nothing});
+  for (std::size_t k = 0; k < lanes; ++k) {
+    rows_[count_ * lanes + k] = {rows_[(count_ - 1) * lanes + k].m, nothing, nothing, nothing};
+  }
 
   for_each_lane(hn::Not(fits), [&](std::size_t k) {
     if (k < lines.size()) lines[k].fits = false;
@@ -263,6 +265,7 @@ class Packet {
   void end_rows(State& state, Mask ended);
   void find_end(State& state, Mask changed, Real m);
   void pass_over(State& state);
+  void pass_hidden(State& state, Mask waiting) const;
   void load_leg(State& state, std::size_t k);
   void look_ahead(const State& state);
   // Where the cells of these places lie in their level. Requires: both reduced to one mirror period.
@@ -309,6 +312,7 @@ class Packet {
   Real first_hit_, line_p0_, line_z_;
   Int period_p_, period_q_, row_width_;
   std::array<const Cell*, lanes> cells_{};
+  std::array<const Summits*, lanes> summits_{};
   std::vector<Walk<false>> walks_;
 };
 
@@ -330,6 +334,7 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   turns_far_ = rows.largest_turn() * reach + 1 > period_q / 2.0;
   const Real zero = hn::Zero(d);
   state.weight = state.r = state.g = state.b = zero;
+  step_place_ = zero;
   first_hit_ = state.last_hit = real(-infinity);
   const Rays rays(lines);
   line_p0_ = along(task.octant, hn::LoadU(d, rays.x.data()), hn::LoadU(d, rays.y.data()));
@@ -372,8 +377,19 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
 
 template <Interpolation interpolation>
 void Packet<interpolation>::walk() {
+  // Looking for hidden runs at every step would cost more than it saves.
+  constexpr int steps_between = 8;
+  const Real patience = real(static_cast<double>(task_->view.patience()));
   State state = state_;
-  while (walking_) step(state);
+  while (walking_) {
+    for (int k = 0; k < steps_between; ++k) step(state);
+    const Mask live = hn::Gt(live_, hn::Zero(d));
+    const Mask waiting = hn::And(live, hn::Gt(hn::Sub(state.p, state.last_hit), patience));
+    if (HWY_LIKELY(hn::AllFalse(d, waiting))) continue;
+    State behind = state;
+    pass_hidden(behind, waiting);
+    state = behind;
+  }
   state_ = state;
 }
 
@@ -421,6 +437,7 @@ HWY_NOINLINE void Packet<interpolation>::load_leg(State& state, std::size_t k) {
   set_lane(state.laps_q, k, q - q % period_q);
   set_lane(row_width_, k, level.width);
   cells_[k] = level.cells.data();
+  summits_[k] = &level.summits;
 }
 
 // Walk::find_end for lanes whose plane has changed where the far limit is near.
@@ -442,6 +459,34 @@ HWY_NOINLINE void Packet<interpolation>::find_end(State& state, Mask changed, Re
   const Real back = hn::IfThenElseZero(gained, real(1));
   state.p = hn::Sub(state.p, back);
   state.at_p = wrapped_up(hn::Sub(state.at_p, hn::DemoteTo(I(), back)), period_p_);
+}
+
+// Walk::behind_hidden, from block to block.
+template <Interpolation interpolation>
+HWY_NOINLINE void Packet<interpolation>::pass_hidden(State& state, Mask waiting) const {
+  for_each_lane(waiting, [&](std::size_t k) {
+    const double width = lane(width_, k), stop = lane(stop_, k), eye_q = lane(eye_q_, k), m = lane(state.scaled_m, k);
+    const double slope = lane(state.slope, k), end = lane(end_, k);
+    const int period_p = lane(period_p_, k), period_q = lane(period_q_, k);
+    const auto q_at = [&](double x) { return static_cast<std::int32_t>(eye_q + std::max(x, 0.0) * m); };
+    double p = lane(state.p, k);
+    int at_p = lane(state.at_p, k);
+    const double stood = p;
+    while (p < end) {
+      const int length = summits_[k]->length(swapped_, at_p);
+      const double run_end = std::min(end, p + length);
+      const double x1 = std::min(run_end * width - eye_p_, stop);
+      const std::int32_t q = q_at(p * width - eye_p_), aside = q_at(x1) - q;
+      if (summits_[k]->highest({swapped_, at_p, q % period_q, aside}) - z_ > slope * x1) break;
+      at_p = (at_p + static_cast<int>(run_end - p)) % period_p;
+      p = run_end;
+    }
+    if (p == stood) return;
+    const std::int32_t q = q_at((p + 0.5) * width - eye_p_);
+    set_lane(state.p, k, p);
+    set_lane(state.at_p, k, at_p);
+    set_lane(state.laps_q, k, q - q % period_q);
+  });
 }
 
 // Finds anew how many mirror periods aside of the eye the lanes stand.

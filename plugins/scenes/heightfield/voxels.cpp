@@ -20,7 +20,7 @@ std::vector<std::int32_t> wrapped_places(int size, int stride) {
 }
 
 Voxels::Level finest(const Terrain& terrain) {
-  Voxels::Level level{terrain.width, terrain.height, {}, {}, {}};
+  Voxels::Level level{terrain.width, terrain.height, {}, {}, {}, {}};
   level.cells.resize(terrain.heights.size());
   for (std::size_t k = 0; k < level.cells.size(); ++k) {
     const moire::Color c = terrain.colors[k];
@@ -31,7 +31,7 @@ Voxels::Level finest(const Terrain& terrain) {
 
 // Each cell the mean of four.
 Voxels::Level coarser(const Voxels::Level& fine) {
-  Voxels::Level level{fine.width / 2, fine.height / 2, {}, {}, {}};
+  Voxels::Level level{fine.width / 2, fine.height / 2, {}, {}, {}, {}};
   level.cells.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
   for (int j = 0; j < level.height; ++j) {
     for (int i = 0; i < level.width; ++i) {
@@ -66,6 +66,7 @@ Voxels::Voxels(const Terrain& terrain) {
   for (Level& level : levels_) {
     level.columns = wrapped_places(level.width, 1);
     level.rows = wrapped_places(level.height, level.width);
+    level.summits = Summits(level.cells, level.width, level.height);
   }
 }
 

@@ -119,6 +119,10 @@ class Walk {
   void set_axes(const Plane& plane);
   // World units over the ground for an advance of one voxel in p.
   double unit() const;
+  // Where a walk goes on that stands at p, x0 along the track: behind the voxels up to the end of p's block of summits,
+  // but not beyond `end`, if none of these rises above the ray; else at p.
+  template <bool descends>
+  std::int64_t behind_hidden(std::int64_t p, double x0, double slope, std::int64_t end) const;
   // Finds how far to walk from here in one go: as far as all planes see, and beyond that to the far limit of this one.
   void find_end(double unit);
   std::int64_t sure_end() const {
@@ -286,9 +290,25 @@ bool Walk<grid>::next_leg(const Leg& stepped, double m) {
 }
 
 template <bool grid>
+template <bool descends>
+[[gnu::noinline]] std::int64_t Walk<grid>::behind_hidden(std::int64_t p, double x0, double slope,
+                                                         std::int64_t end) const {
+  const Summits& summits = view_.voxels->level(level_).summits;
+  const auto at_p = static_cast<int>((p + axis_p_.offset) % axis_p_.period);
+  const std::int64_t run_end = std::min(end, p + summits.length(plane_.swapped, at_p));
+  const double x1 = std::min(static_cast<double>(run_end) * width_ - eye_p_, stop_);
+  const auto q0 = static_cast<std::int64_t>(std::ldexp(across(x0), -level_));
+  const auto q1 = static_cast<std::int64_t>(std::ldexp(across(x1), -level_));
+  const auto at_q = static_cast<int>((q0 + axis_q_.offset) % axis_q_.period);
+  const float highest = summits.highest({plane_.swapped, at_p, at_q, static_cast<int>(q1 - q0)});
+  return highest - view_.z > slope * (descends || slope < 0 ? x1 : x0) ? p : run_end;
+}
+
+template <bool grid>
 template <bool descends, class Visit>
 [[gnu::always_inline]] inline void Walk<grid>::climb(double slope, Visit&& visit) {
   const double z = view_.z, eye_p = eye_p_;
+  const std::int64_t patience = view_.patience();
   while (p_ < end_ || (!ends_at_far_limit() && enter_counted(end_ << level_))) {
     // Across, in voxels of the level: scaling by a power of two changes no bits.
     const double width = width_, stop = stop_, eye_q = eye_q_ * inverse_width_, m = plane_.m * inverse_width_;
@@ -311,7 +331,22 @@ template <bool descends, class Visit>
     const double ahead = steps_ahead * width;
     std::int64_t p = p_;
     double next = static_cast<double>(p_ + 1) * width;
+    std::int64_t try_at = p + patience;
     for (; p < lap_end; ++p, next += width) {
+      if (p >= try_at) {
+        const std::int64_t behind = behind_hidden<descends>(p, x0, slope, lap_end);
+        if (behind == lap_end) {
+          p = behind;
+          break;
+        }
+        try_at = behind == p ? p + Summits::block : behind;
+        if (behind > p) {
+          p = behind;
+          next = static_cast<double>(p + 1) * width;
+          x0 = std::min(static_cast<double>(p) * width - eye_p, stop);
+          q0 = static_cast<std::int64_t>(eye_q + x0 * m);
+        }
+      }
       const double x1 = std::min(next - eye_p, stop);
       const std::int32_t place_p = places_p[p + offset_p];
       const auto ahead_q = static_cast<std::int64_t>(eye_q + (x1 + ahead) * m);
@@ -319,6 +354,7 @@ template <bool descends, class Visit>
       const auto met = [&](std::int64_t q, double from, double to) {
         const Cell* cell = cells + (place_p + places_q[q + offset_q]);
         if (!(cell->height - z > slope * (descends || slope < 0 ? to : from))) return true;
+        try_at = p + patience;
         return visit(Voxel{cell, from, to, p, q}, slope);
       };
       if constexpr (grid) {
