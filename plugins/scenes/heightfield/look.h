@@ -104,7 +104,7 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
 
     bool hit = false;
     const auto meet = [&](const Voxel& voxel, double&) __attribute__((always_inline)) {
-      counters.steps += walk.count(voxel.p, voxel.q);
+      counters.steps += walk.count(walk.steps_to(voxel));
       hit = true;
       met(k, walk, voxel, direction, slope);
       return false;
@@ -182,11 +182,10 @@ void Look::stretches(const moire::ImageLine& line, std::size_t first_slot, moire
       at = until;
     };
     std::uint64_t hits = 0;
-    std::int64_t last_p = 0, last_q = 0;
+    std::int64_t last = 0;
     const auto see = [&](auto descends, const Voxel& voxel, double& slope) __attribute__((always_inline)) {
       ++hits;
-      last_p = voxel.p;
-      last_q = voxel.q;
+      last = walk.steps_to(voxel);
       const double top = voxel.cell->height - view_.z;
       if (top >= s1 * (descends || s1 < 0 ? voxel.x1 : voxel.x0)) {
         deposit(end_at, &voxel);
@@ -212,7 +211,7 @@ void Look::stretches(const moire::ImageLine& line, std::size_t first_slot, moire
     finish(slot, sum);
     ++counters.queries;
     counters.hits += hits;
-    if (hits > 0) counters.steps += walk.count(last_p, last_q);
+    if (hits > 0) counters.steps += walk.count(last);
   };
 
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {

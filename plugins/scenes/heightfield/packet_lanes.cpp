@@ -379,10 +379,12 @@ template <Interpolation interpolation>
 void Packet<interpolation>::walk() {
   // Looking for hidden runs at every step would cost more than it saves.
   constexpr int steps_between = 8;
+  const bool skips = task_->view.skip != Skip::nowhere;
   const Real patience = real(static_cast<double>(task_->view.patience()));
   State state = state_;
   while (walking_) {
     for (int k = 0; k < steps_between; ++k) step(state);
+    if (!skips) continue;
     const Mask live = hn::Gt(live_, hn::Zero(d));
     const Mask waiting = hn::And(live, hn::Gt(hn::Sub(state.p, state.last_hit), patience));
     if (HWY_LIKELY(hn::AllFalse(d, waiting))) continue;

@@ -25,7 +25,7 @@ struct View {
   std::int64_t patience() const {
     switch (skip) {
       case Skip::where_it_pays:
-        return 16;
+        return 32;
       case Skip::everywhere:
         return 0;
       case Skip::nowhere:

@@ -72,9 +72,10 @@ class Walk {
   template <bool descends, class Visit>
   void climb(double slope, Visit&& visit);
 
-  // Voxels between the last one counted and that at (p, q); 1 for the first.
-  std::uint64_t count(std::int64_t p, std::int64_t q) {
-    const std::int64_t index = place_of_level_ + p + (grid ? q : 0);
+  // Steps from the walk's beginning to a voxel. Requires: the walk has not entered another level since it stood there.
+  std::int64_t steps_to(const Voxel& voxel) const { return place_of_level_ + voxel.p + (grid ? voxel.q : 0); }
+  // Voxels between the last one counted and that so many steps from the beginning; 1 for the first.
+  std::uint64_t count(std::int64_t index) {
     const std::int64_t steps = counted_ == nothing ? 1 : index - counted_;
     counted_ = index;
     return static_cast<std::uint64_t>(steps);
