@@ -11,9 +11,9 @@ void ColumnLine::render(PixelBlock& block) const {
   Tally line(rows, block.recording());
   for (int x = block.x0; x < block.x0 + block.width; ++x) {
     line.reset(rows);
-    const double middle = x + 0.5;
-    frame_.lines()->along({middle, static_cast<double>(block.y0 + block.height)},
-                          {middle, static_cast<double>(block.y0)}, cuts, nullptr, line);
+    const double middle = x + 0.5, bottom = block.y0 + block.height, top = block.y0;
+    const ImageLine upright{{middle, bottom}, {middle, top}, cuts};
+    frame_.lines()->along({&upright, 1}, nullptr, line);
     for (std::size_t i = 0; i < rows; ++i) {
       block.mix(block.slot(x, block.y0 + block.height - 1 - static_cast<int>(i)), line, i, 1);
     }

@@ -11,6 +11,7 @@ namespace {
 
 class LinearAcross final : public Lookup {
  public:
+  Kind kind() const override { return Kind::linear_across; }
   void deposit(const SurfacePoint& point, const Texture& texture, double weight, Tally& tally,
                std::size_t slot) const override {
     const double s = std::ldexp(point.s, -point.level), t = std::ldexp(point.t, -point.level);

@@ -1,4 +1,5 @@
 // Plugins that cannot be used, and plugins that fail at work.
+#include <fmt/format.h>
 #include <catch2/catch_test_macros.hpp>
 #include <set>
 
@@ -33,15 +34,16 @@ TEST_CASE("files that cannot be plugins of this program are refused, each with i
   std::string other = good();
   change_record(other, [](Record& record) { record.interface_version = 7; });
   CHECK(refusal("other.so", other) ==
-        "plugins/other.so: was built for another interface (version 7); this program takes version " +
-            std::to_string(interface_version) + ": rebuild the plugin with this program's SDK\n");
+        fmt::format("plugins/other.so: was built for another interface (version 7); this program takes version {}: "
+                    "rebuild the plugin with this program's SDK\n",
+                    interface_version));
   CHECK(refusal("note.so", "Remember the milk.\n") ==
         "plugins/note.so: is no shared object (it has no ELF header); a plugin is built with moire_add_sampler or "
         "moire_add_scene\n");
   const std::string whole = good();
   CHECK(refusal("half.so", whole.substr(0, whole.size() / 2)) ==
-        "plugins/half.so: is cut short (" + std::to_string(whole.size() / 2) + " bytes of " +
-            std::to_string(whole.size()) + "); build or copy it again\n");
+        fmt::format("plugins/half.so: is cut short ({} bytes of {}); build or copy it again\n", whole.size() / 2,
+                    whole.size()));
   CHECK(refusal("throwing.so", bytes_of(TEST_PLUGINS "/throwing.so")) ==
         "plugins/throwing.so: threw an exception while it was opened (no table for this machine); a plugin's static "
         "objects must not throw\n");

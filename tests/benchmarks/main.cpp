@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "interleaved.h"
+#include "packet.h"
+#include "sampling/lookups.h"
 #include "terrain_views.h"
 
 namespace moire::benchmark {
@@ -28,6 +30,7 @@ class Bench {
         one_piece_(settings_, size) {}
 
   void run() {
+    side_by_side();
     methods();
     coherence();
     threads();
@@ -51,16 +54,48 @@ class Bench {
             }};
   }
 
+  // Columns of `area` in the lanes of vectors, and one by one.
+  void side_by_side() {
+    const auto across = make_lookup("linear_across");
+    const auto nearest = contender(catalog_, "area", {});
+    const auto linear = contender(catalog_, "area", {}, "linear_across");
+    const auto alone = [&](const Lookup* lookup) {
+      return Work{"one by one", [this, lookup] {
+                    one_.render(OneByOne(*frame_, lookup), size, false, [](std::size_t, const PixelBlock&) {});
+                  }};
+    };
+    const auto t = interleaved({frame_of("nearest", *nearest, *frame_, false, one_), alone(nullptr),
+                                frame_of("linear across", *linear, *frame_, false, one_), alone(across.get())},
+                               rounds);
+    frame_of("nearest", *nearest, *frame_, false, one_).run();
+    const auto steps = static_cast<double>(counters_.steps);
+    const auto show = [&](const char* lookup, const Timing& many, const Timing& one) {
+      const double step = 1e6 * many.median() / steps;
+      fmt::print(
+          "    area, {}: {:.2f} ms a frame with {} columns side by side (one by one {:.1f}); {:.1f} ns a voxel step, "
+          "where gathering cells takes about 1\n",
+          lookup, many.median(), heightfield::lanes_of_packets(), one.median(), step);
+      print("area: side by side over one by one", ratio(many, one), "<= 0.5");
+    };
+    show("nearest colour", t[0], t[1]);
+    show("linear across", t[2], t[3]);
+  }
+
   void methods() {
     const auto point = contender(catalog_, "point", {});
     const auto area = contender(catalog_, "area", {});
     const auto sixteen = contender(catalog_, "supersample", {{"n", std::int64_t{16}}});
     const auto t = interleaved(
-        {frame_of("point", *point, *frame_, false, one_), frame_of("area", *area, *frame_, false, one_),
-         frame_of("supersample 16", *sixteen, *frame_, false, one_), one_piece("point in one piece", &OnePiece::point),
-         one_piece("area in one piece", &OnePiece::area), frame_of("point recorded", *point, *frame_, true, one_),
+        {frame_of("point", *point, *frame_, false, one_),
+         frame_of("area", *area, *frame_, false, one_),
+         frame_of("supersample 16", *sixteen, *frame_, false, one_),
+         one_piece("point in one piece", &OnePiece::point),
+         one_piece("area in one piece", &OnePiece::area),
+         frame_of("point recorded", *point, *frame_, true, one_),
          frame_of("area recorded", *area, *frame_, true, one_),
-         frame_of("supersample 16 recorded", *sixteen, *frame_, true, one_)},
+         frame_of("supersample 16 recorded", *sixteen, *frame_, true, one_),
+         {"area one by one",
+          [this] { one_.render(OneByOne(*frame_, nullptr), size, false, [](std::size_t, const PixelBlock&) {}); }}},
         rounds);
     frame_of("point", *point, *frame_, false, one_).run();
     const double steps = static_cast<double>(counters_.steps);
@@ -69,12 +104,12 @@ class Bench {
         "(9 to 12 and 11 to 14 measured before)\n",
         t[0].median(), t[1].median(), t[2].median(), 1e6 * t[0].median() / steps, 1e6 * t[1].median() / steps);
     print("point: plugins over one piece", ratio(t[0], t[3]), "<= 1.05");
-    print("area: plugins over one piece", ratio(t[1], t[4]), "<= 1.05");
+    print("area one by one: plugins over one piece", ratio(t[8], t[4]), "<= 1.05");
     print("point: recorded over not", ratio(t[5], t[0]), "<= 1.3");
     print("supersample 16: recorded over not", ratio(t[7], t[2]), "<= 1.3");
-    print("area: recorded over not", ratio(t[6], t[1]), "<= 2.5");
-    print("area over point", ratio(t[1], t[0]), "<= 1.15");
-    print("supersample 16 over area", ratio(t[2], t[1]), ">= 1.5");
+    print("area: recorded over not, one by one", ratio(t[6], t[8]), "<= 2.5");
+    print("area one by one over point", ratio(t[8], t[0]), "<= 1.15");
+    print("supersample 16 over area one by one", ratio(t[2], t[8]), ">= 1.5");
   }
 
   void coherence() {
@@ -111,6 +146,33 @@ class Bench {
   Counters counters_;
 };
 
+// Passing over hidden voxels, on ground so rough that most is hidden.
+void hidden_runs(const Catalog& catalog) {
+  Settings settings = terrain_settings(catalog, views[2]);
+  settings.set("height_scale", 300.0 / 43798);
+  const auto scene = catalog.find(Kind::scene, "heightfield")->scene->make(settings);
+  const Workers one(1);
+  for (const std::string levels : {"floor", "none"}) {
+    settings.set("levels", levels);
+    std::vector<std::unique_ptr<Frame>> frames;
+    std::vector<Work> works;
+    const auto area = contender(catalog, "area", {});
+    for (const char* skip : {"off", "auto"}) {
+      settings.set("skip", std::string(skip));
+      frames.push_back(scene->frame(settings, size));
+      const Frame* frame = frames.back().get();
+      const auto ignore = [](std::size_t, const PixelBlock&) {};
+      works.push_back({skip, [&, frame, ignore] { one.render(*area->begin(*frame, 1), size, false, ignore); }});
+      works.push_back({skip, [&, frame, ignore] { one.render(OneByOne(*frame, nullptr), size, false, ignore); }});
+    }
+    const auto t = interleaved(works, 5);
+    fmt::print("  pitch 5, relief 300, levels {}: {:.1f} ms side by side, {:.1f} one by one\n", levels, t[2].median(),
+               t[3].median());
+    print("side by side: skip auto over off", ratio(t[2], t[0]), levels == "floor" ? "<= 1.05" : "<= 0.6");
+    print("one by one: skip auto over off", ratio(t[3], t[1]), levels == "floor" ? "<= 1.05" : "<= 0.8");
+  }
+}
+
 }  // namespace
 
 }  // namespace moire::benchmark
@@ -129,4 +191,5 @@ int main() {
     fmt::print("  pitch {}\n", view.pitch_deg);
     benchmark::Bench(catalog, view).run();
   }
+  benchmark::hidden_runs(catalog);
 }

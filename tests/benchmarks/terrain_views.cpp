@@ -41,9 +41,10 @@ Settings terrain_settings(const Catalog& catalog, const TerrainView& view) {
 }
 
 std::unique_ptr<Contender> contender(const Catalog& catalog, const std::string& type,
-                                     const std::vector<std::pair<std::string, Value>>& settings) {
+                                     const std::vector<std::pair<std::string, Value>>& settings,
+                                     const std::string& lookup) {
   const Plugin* plugin = catalog.find(Kind::sampler, type);
-  SamplerChoice choice{type, plugin, Settings(plugin->parameters()), "nearest"};
+  SamplerChoice choice{type, plugin, Settings(plugin->parameters()), lookup};
   for (const auto& [name, value] : settings) choice.settings.set(name, value);
   return std::make_unique<Contender>(choice);
 }
@@ -76,7 +77,7 @@ void OnePiece::area(PixelBlock& block) const {
     const std::size_t bottom = block.slot(x, block.height - 1);
     block.fill([&](auto add) {
       look_.stretches<model>(
-          {x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts, block.counters,
+          {{x + 0.5, static_cast<double>(block.height)}, {x + 0.5, 0}, cuts}, 0, block.counters,
           [&](std::size_t slot, heightfield::Run run, const auto& walk, const heightfield::Voxel* voxel, const auto&,
               Tally::Sum& sum) {
             const Color color = voxel ? heightfield::color_of(*voxel->cell) : sky_;
@@ -85,6 +86,21 @@ void OnePiece::area(PixelBlock& block) const {
           },
           [&](std::size_t slot, const Tally::Sum& sum) { add.sum(bottom - slot, sum); });
     });
+  }
+}
+
+void OneByOne::render(PixelBlock& block) const {
+  std::vector<double> cuts(static_cast<std::size_t>(block.height) + 1);
+  std::iota(cuts.begin(), cuts.end(), 0.0);
+  Tally pieces(0, block.recording());
+  const double bottom = block.height;
+  for (int x = block.x0; x < block.x0 + block.width; ++x) {
+    const ImageLine line{{x + 0.5, bottom}, {x + 0.5, 0}, cuts};
+    pieces.reset(line.stretches());
+    frame_.lines()->along({&line, 1}, lookup_, pieces);
+    const std::size_t lowest = block.slot(x, block.height - 1);
+    for (std::size_t i = 0; i < pieces.slots(); ++i) block.mix(lowest - i, pieces, i, 1);
+    block.counters += pieces.counters;
   }
 }
 

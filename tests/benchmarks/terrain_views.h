@@ -2,6 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <moire/sampler.h>
 
 #include "loading/catalog.h"
 #include "look.h"
@@ -18,7 +23,8 @@ inline constexpr TerrainView views[] = {{40, 2800}, {20, 1300}, {5, 1000}};
 Settings terrain_settings(const Catalog& catalog, const TerrainView& view);
 
 std::unique_ptr<Contender> contender(const Catalog& catalog, const std::string& type,
-                                     const std::vector<std::pair<std::string, Value>>& settings);
+                                     const std::vector<std::pair<std::string, Value>>& settings,
+                                     const std::string& lookup = "nearest");
 
 // The loops of `point` and of `area` on upright lines over the scene's own walk, compiled in one piece with it.
 class OnePiece {
@@ -31,6 +37,17 @@ class OnePiece {
   heightfield::Voxels voxels_;
   heightfield::Look look_;
   Color sky_;
+};
+
+// `area` on upright lines, each handed to the scene alone: what following them side by side is measured against.
+class OneByOne final : public Rendering {
+ public:
+  OneByOne(const Frame& frame, const Lookup* lookup) : frame_(frame), lookup_(lookup) {}
+  void render(PixelBlock& block) const override;
+
+ private:
+  const Frame& frame_;
+  const Lookup* lookup_;
 };
 
 }  // namespace moire::benchmark

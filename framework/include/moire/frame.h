@@ -11,16 +11,25 @@
 
 namespace moire {
 
-// What is seen along a line of the image.
+// A straight line in the image and the stretches it is cut into: stretch i lies between cuts[i] and cuts[i + 1], which
+// are distances from `from` in pixels, not falling, within the line.
+struct ImageLine {
+  Point from, to;
+  std::span<const double> cuts;
+
+  std::size_t stretches() const { return cuts.empty() ? 0 : cuts.size() - 1; }
+};
+
+// What is seen along lines of the image.
 class Lines {
  public:
   virtual ~Lines() = default;
 
-  // Deposits what is seen on the straight line `from` -> `to`: slot i gets the stretch between cuts[i] and
-  // cuts[i + 1], which are distances from `from` in pixels, not falling, within the line. A fragment's weight is its
-  // length in pixels. `lookup` null: the scene's own colours, one fragment a run.
-  // Requires: pieces has cuts.size() - 1 slots; from != to.
-  virtual void along(Point from, Point to, std::span<const double> cuts, const Lookup* lookup, Tally& pieces) const = 0;
+  // Deposits what is seen on each line, a stretch a slot: those of the first line, then those of the second, and so on.
+  // A fragment's weight is its length in pixels. What a line gets does not depend on the others; they come together so
+  // that a scene may follow many at once. `lookup` null: the scene's own colours, one fragment a run.
+  // Requires: pieces has as many slots as the lines have stretches; from != to.
+  virtual void along(std::span<const ImageLine> lines, const Lookup* lookup, Tally& pieces) const = 0;
 
   // The point through which image lines are exact and coherent (the nadir of a camera above a landscape), if any.
   virtual std::optional<Pole> pole() const { return std::nullopt; }

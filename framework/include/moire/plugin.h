@@ -18,7 +18,7 @@
 namespace moire {
 
 // Rises whenever a type or function of the SDK changes so that plugins must be rebuilt.
-inline constexpr std::uint32_t interface_version = 1;
+inline constexpr std::uint32_t interface_version = 2;
 
 enum class Kind : std::uint32_t { sampler = 1, scene = 2 };
 

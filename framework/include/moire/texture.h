@@ -72,6 +72,13 @@ struct SurfacePoint {
 // How a place on a texture becomes fragments: several texels, whose weights sum to `weight`.
 class Lookup {
  public:
+  // Lookups that a scene may do itself, together with its own work: with the same fragments.
+  enum class Kind {
+    other,
+    linear_across,  // Cohen-Or 1997, eq. 4: two texels, along the axis that moves faster as the image point goes aside
+  };
+  virtual Kind kind() const { return Kind::other; }
+
   virtual ~Lookup() = default;
   virtual void deposit(const SurfacePoint& point, const Texture& texture, double weight, Tally& tally,
                        std::size_t slot) const = 0;

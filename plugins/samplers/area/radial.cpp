@@ -13,7 +13,8 @@ void Radial::render(moire::PixelBlock& block) const {
       fan.stretches(wedge, block.x0, block.x0 + block.width, stretches);
       if (stretches.shares.empty()) continue;
       pieces.reset(stretches.cuts.size() - 1);
-      request_.frame.lines()->along(stretches.from, stretches.to, stretches.cuts, request_.lookup, pieces);
+      const moire::ImageLine line{stretches.from, stretches.to, stretches.cuts};
+      request_.frame.lines()->along({&line, 1}, request_.lookup, pieces);
       for (std::size_t i = 0; i < pieces.slots(); ++i) {
         for (std::size_t s = stretches.first[i]; s < stretches.first[i + 1]; ++s) {
           const Share& share = stretches.shares[s];

@@ -3,6 +3,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "packet.h"
+
 namespace heightfield {
 
 namespace {
@@ -35,6 +37,8 @@ template <Face face>
 double middle_of(const Voxel& voxel) {
   return face == Face::box ? (voxel.x0 + voxel.x1) / 2 : voxel.x0;
 }
+// Fewer lines than these are followed as fast one by one.
+constexpr std::size_t fewest_in_packets = 3;
 
 }  // namespace
 
@@ -52,13 +56,33 @@ void HeightfieldFrame::trace(std::span<const moire::SamplePoint> points, std::sp
   });
 }
 
-void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const double> cuts,
-                             const moire::Lookup* lookup, moire::Tally& pieces) const {
-  if (look_.manner().weights == Weights::height) return along_by_height(from, to, cuts, lookup, pieces);
+void HeightfieldFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup* lookup,
+                             moire::Tally& pieces) const {
+  std::vector<std::size_t> first_slots;
+  std::size_t slots = 0;
+  for (const moire::ImageLine& line : lines) {
+    first_slots.push_back(slots);
+    slots += line.stretches();
+  }
+
+  std::vector<bool> followed(lines.size());
+  const bool known = !lookup || lookup->kind() == moire::Lookup::Kind::linear_across;
+  if (lines.size() >= fewest_in_packets && known && !pieces.recording() && packets_fit(look_)) {
+    const Interpolation interpolation = lookup ? Interpolation::linear_across : Interpolation::nearest;
+    follow_in_packets(look_, sky_, interpolation, lines, first_slots, pieces, followed);
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (!followed[k]) follow(lines[k], first_slots[k], lookup, pieces);
+  }
+}
+
+void HeightfieldFrame::follow(const moire::ImageLine& line, std::size_t first_slot, const moire::Lookup* lookup,
+                              moire::Tally& pieces) const {
+  if (look_.manner().weights == Weights::height) return follow_by_height(line, first_slot, lookup, pieces);
   with_model(look_.manner().model, [&](auto model) {
     if (lookup) {
       look_.stretches<model()>(
-          from, to, cuts, pieces.counters,
+          line, first_slot, pieces.counters,
           [&](std::size_t slot, Run run, const auto& walk, const Voxel* voxel, const Direction& d, moire::Tally::Sum&) {
             if (!voxel) return pieces.add(slot, moire::background, run.length, sky_);
             const double x = middle_of<model().face>(*voxel);
@@ -69,7 +93,7 @@ void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const
     }
     pieces.fill([&](auto add) {
       look_.stretches<model()>(
-          from, to, cuts, pieces.counters,
+          line, first_slot, pieces.counters,
           [&](std::size_t slot, Run run, const auto& walk, const Voxel* voxel, const Direction&,
               moire::Tally::Sum& sum) {
             const moire::Color color = voxel ? color_of(*voxel->cell) : sky_;
@@ -81,8 +105,8 @@ void HeightfieldFrame::along(moire::Point from, moire::Point to, std::span<const
   });
 }
 
-void HeightfieldFrame::along_by_height(moire::Point from, moire::Point to, std::span<const double> cuts,
-                                       const moire::Lookup* lookup, moire::Tally& pieces) const {
+void HeightfieldFrame::follow_by_height(const moire::ImageLine& line, std::size_t first_slot,
+                                        const moire::Lookup* lookup, moire::Tally& pieces) const {
   struct Seen {
     Run run;
     moire::SurfacePoint point;
@@ -91,7 +115,7 @@ void HeightfieldFrame::along_by_height(moire::Point from, moire::Point to, std::
   double length = 0, rise = 0, sky = 0;
   with_model(look_.manner().model, [&](auto model) {
     look_.stretches<model(), Weights::height>(
-        from, to, cuts, pieces.counters,
+        line, first_slot, pieces.counters,
         [&](std::size_t, Run run, const auto& walk, const Voxel* voxel, const Direction& d, moire::Tally::Sum&) {
           if (!voxel) {
             sky += run.length;

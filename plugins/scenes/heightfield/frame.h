@@ -20,13 +20,15 @@ class HeightfieldFrame final : public moire::Frame, private moire::Lines, privat
 
  private:
   // Lines.
-  void along(moire::Point from, moire::Point to, std::span<const double> cuts, const moire::Lookup* lookup,
-             moire::Tally& pieces) const override;
+  void along(std::span<const moire::ImageLine> lines, const moire::Lookup* lookup, moire::Tally& pieces) const override;
+  // One line, its stretches the slots from first_slot on.
+  void follow(const moire::ImageLine& line, std::size_t first_slot, const moire::Lookup* lookup,
+              moire::Tally& pieces) const;
   // The same, a fragment's weight in proportion to the height of what is seen at its own distance (Cohen-Or 1997,
   // fig. 12) instead of its length in the image. A stretch's weights still sum to its length: the sky keeps its own,
   // and what the terrain takes up is divided by height.
-  void along_by_height(moire::Point from, moire::Point to, std::span<const double> cuts, const moire::Lookup* lookup,
-                       moire::Tally& pieces) const;
+  void follow_by_height(const moire::ImageLine& line, std::size_t first_slot, const moire::Lookup* lookup,
+                        moire::Tally& pieces) const;
   std::optional<moire::Pole> pole() const override { return look_.camera().nadir(); }
 
   // Surface.

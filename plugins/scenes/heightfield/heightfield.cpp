@@ -35,6 +35,11 @@ constexpr moire::Parameter parameters[] = {
     choice("coherence", "resume", "none resume", "a ray goes on where the one below it ended, or starts afresh")
         .per_frame(),
     integer("retrace", 0, 0, 1 << 20, "voxels", "how far a resuming ray goes back first").per_frame(),
+    choice(
+        "skip", "auto", "auto on off",
+        "pass over voxels that their block's summit shows to be hidden: where a walk finds long runs of them, always "
+        "or never; the result is the same")
+        .per_frame(),
     choice("azimuth", "pixel", "pixel column",
            "points and upright lines look each pixel's own way, or that of their column in the middle row")
         .per_frame()

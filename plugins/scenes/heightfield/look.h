@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <moire/error.h>
-#include <moire/geometry.h>
+#include <moire/frame.h>
 #include <moire/tally.h>
 #include <moire/texture.h>
 
@@ -25,6 +25,7 @@ struct Model {
   bool grid = true;  // every voxel under a ray, or one a step along its major axis
   Azimuth azimuth = Azimuth::pixel;
   Face face = Face::box;
+  friend bool operator==(const Model&, const Model&) = default;
 };
 
 // What lines weigh what they see by: its length in the image, or its height where it stands.
@@ -53,6 +54,7 @@ class Look {
       : size_(size), view_(std::move(view)), camera_(camera), manner_(manner) {}
 
   const moire::ImageSize& size() const { return size_; }
+  const View& view() const { return view_; }
   const Camera& camera() const { return camera_; }
   const Manner& manner() const { return manner_; }
 
@@ -60,14 +62,28 @@ class Look {
   template <Model model, class Met, class Missed>
   void rays(std::span<const moire::SamplePoint> points, moire::Counters& counters, Met met, Missed missed) const;
 
-  // Calls add(slot, run, walk, voxel, direction, sum) for each visible run of the stretches between cuts (see
-  // moire::Lines), voxel null for the sky, and finish(slot, sum) after each stretch; `sum` begins empty. What a stretch
+  // Calls add(slot, run, walk, voxel, direction, sum) for each visible run of the line's stretches, the slots from
+  // first_slot on, voxel null for the sky, and finish(slot, sum) after each stretch; `sum` begins empty. What a stretch
   // sees is exact in the vertical plane through its middle (column azimuth: in the plane of its column): along lines
   // through the nadir point that is the plane of the line itself. Error: the line is neither upright nor through the
   // nadir point.
   template <Model model, Weights weights = Weights::area, class Add, class Finish>
-  void stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters, Add add,
+  void stretches(const moire::ImageLine& line, std::size_t first_slot, moire::Counters& counters, Add add,
                  Finish finish) const;
+
+  // How rays and planes change along an image line.
+  struct Course {
+    Direction start, step;  // the ray at its begin, and what a pixel along it adds
+    // A line through the nadir point lies in one vertical plane, best known at its end far from there; with the azimuth
+    // of its column an upright line does too. Beyond the point it is seen the other way.
+    bool in_one_plane;
+    Direction ahead;              // in that plane
+    Plane near_side, other_side;  // of the nadir or zenith point
+    double turning;  // distance where elevation turns: at that point, and on other upright lines at its height
+  };
+  // Error: the line is neither upright nor through the nadir point.
+  template <Azimuth azimuth>
+  Course course_of(moire::Point from, moire::Point to) const;
 
   // Where a ray of this slope, which rises above nothing before, meets the voxel's box: its near wall or its top.
   template <Face face>
@@ -138,7 +154,7 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
 
     bool hit = false;
     const auto meet = [&](const Voxel& voxel, double&) __attribute__((always_inline)) {
-      counters.steps += walk.count(voxel.p, voxel.q);
+      counters.steps += walk.count(walk.steps_to(voxel));
       hit = true;
       met(k, walk, voxel, direction, slope);
       return false;
@@ -159,16 +175,13 @@ void Look::rays(std::span<const moire::SamplePoint> points, moire::Counters& cou
 // Shorter stretches of an image line, in pixels, are not looked at on their own.
 constexpr double least_stretch = 1e-9;
 
-template <Model model, Weights weights, class Add, class Finish>
-void Look::stretches(moire::Point from, moire::Point to, std::span<const double> cuts, moire::Counters& counters,
-                     Add add, Finish finish) const {
+template <Azimuth azimuth>
+Look::Course Look::course_of(moire::Point from, moire::Point to) const {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
   const Direction start = camera_.direction(from.x, from.y);
-  const Direction step = ux * camera_.right() + uy * camera_.down();  // a pixel along the line
+  const Direction step = ux * camera_.right() + uy * camera_.down();
 
-  // A line through the nadir point lies in one vertical plane, best known at its end far from there. Beyond the point
-  // it is seen the other way.
   const moire::Pole nadir = camera_.nadir();
   const double off = (nadir.x - from.x * nadir.w) * uy - (nadir.y - from.y * nadir.w) * ux;
   const bool radial = std::abs(off) <= 1e-9 * (std::abs(nadir.x) + std::abs(nadir.y) + size_.width * std::abs(nadir.w));
@@ -179,12 +192,19 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
   const Direction end = start + length * step;
   const Direction far_end = std::hypot(start.x, start.y) > std::hypot(end.x, end.y) ? start : end;
   const Direction ahead = radial ? far_end : column_direction(from.x);
-  const Plane near_side = plane_of(ahead), other_side = plane_of(-1 * ahead);  // of the nadir or zenith point
-  const bool in_one_plane = radial || model.azimuth == Azimuth::column;
-  // Where elevation turns: at that point, and on other upright lines at its height.
-  const double turning = in_one_plane
-                             ? -advance<model.azimuth>(near_side, start) / advance<model.azimuth>(near_side, step)
-                             : (nadir.y / nadir.w - from.y) / uy;
+  const Plane near_side = plane_of(ahead);
+  const bool in_one_plane = radial || azimuth == Azimuth::column;
+  const double turning = in_one_plane ? -advance<azimuth>(near_side, start) / advance<azimuth>(near_side, step)
+                                      : (nadir.y / nadir.w - from.y) / uy;
+  return {start, step, in_one_plane, ahead, near_side, plane_of(-1 * ahead), turning};
+}
+
+template <Model model, Weights weights, class Add, class Finish>
+void Look::stretches(const moire::ImageLine& line, std::size_t first_slot, moire::Counters& counters, Add add,
+                     Finish finish) const {
+  const auto& [from, to, cuts] = line;
+  const Course course = course_of<model.azimuth>(from, to);
+  const auto& [start, step, in_one_plane, ahead, near_side, other_side, turning] = course;
 
   Walk<model.grid> walk(view_);
   bool walking = false;
@@ -218,11 +238,10 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
       at = until;
     };
     std::uint64_t hits = 0;
-    std::int64_t last_p = 0, last_q = 0;
+    std::int64_t last = 0;
     const auto see = [&](auto descends, const Voxel& voxel, double& slope) __attribute__((always_inline)) {
       ++hits;
-      last_p = voxel.p;
-      last_q = voxel.q;
+      last = walk.steps_to(voxel);
       const double top = voxel.cell->height - view_.z;
       constexpr bool boxes = model.face == Face::box;
       if (top >= s1 * (boxes && (descends || s1 < 0) ? voxel.x1 : voxel.x0)) {
@@ -250,7 +269,7 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     finish(slot, sum);
     ++counters.queries;
     counters.hits += hits;
-    if (hits > 0) counters.steps += walk.count(last_p, last_q);
+    if (hits > 0) counters.steps += walk.count(last);
   };
 
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -260,7 +279,7 @@ void Look::stretches(moire::Point from, moire::Point to, std::span<const double>
     const bool turns = turning > t0 + least_stretch && turning < t1 - least_stretch;
     const double split = turns ? turning : t1;
     for (const auto& [begin, until] : {std::pair{t0, split}, std::pair{split, t1}}) {
-      if (begin < until) look_along(i, begin, until);
+      if (begin < until) look_along(first_slot + i, begin, until);
     }
   }
 }

@@ -8,6 +8,9 @@
 
 namespace heightfield {
 
+// Where walks try to pass over hidden voxels, block by block. The result is the same.
+enum class Skip { where_it_pays, everywhere, nowhere };
+
 struct View {
   const Voxels* voxels = nullptr;
   double x = 0, y = 0, z = 0;           // the eye: voxels from the map's corner, and height in the heights' unit
@@ -18,6 +21,21 @@ struct View {
   double far = 0;
   std::vector<double> level_starts = {
       0};  // horizontal distance in world units where each level of the hierarchy begins
+  Skip skip = Skip::where_it_pays;
+
+  // A walk that has met none of so many voxels tries to pass over the next ones. It pays where runs of hidden voxels
+  // are several blocks long.
+  std::int64_t patience() const {
+    switch (skip) {
+      case Skip::where_it_pays:
+        return 32;
+      case Skip::everywhere:
+        return 0;
+      case Skip::nowhere:
+        break;
+    }
+    return std::int64_t{1} << 52;
+  }
 };
 
 }  // namespace heightfield

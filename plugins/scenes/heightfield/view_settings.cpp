@@ -30,6 +30,10 @@ std::vector<double> level_starts(const Voxels& voxels, const Camera& camera, con
   return starts;
 }
 
+Skip skip_of(const std::string& name) {
+  return name == "auto" ? Skip::where_it_pays : name == "on" ? Skip::everywhere : Skip::nowhere;
+}
+
 }  // namespace
 
 Camera camera_of(const moire::Settings& settings, moire::ImageSize size) {
@@ -44,8 +48,8 @@ Camera camera_of(const moire::Settings& settings, moire::ImageSize size) {
 View view_of(const moire::Settings& settings, const Voxels& voxels, const Camera& camera) {
   const double dx = settings.real("spacing"), dy = spacing_y(settings);
   return {
-      &voxels, settings.real("view.x") / dx, settings.real("view.y") / dy,          settings.real("view.height"), dx,
-      dy,      settings.real("far"),         level_starts(voxels, camera, settings)};
+      &voxels, settings.real("view.x") / dx, settings.real("view.y") / dy,           settings.real("view.height"),  dx,
+      dy,      settings.real("far"),         level_starts(voxels, camera, settings), skip_of(settings.text("skip"))};
 }
 
 Manner manner_of(const moire::Settings& settings) {

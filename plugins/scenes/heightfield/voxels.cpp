@@ -1,6 +1,7 @@
 #include "voxels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace heightfield {
 
@@ -19,7 +20,7 @@ std::vector<std::int32_t> wrapped_places(int size, int stride) {
 }
 
 Voxels::Level finest(const Terrain& terrain) {
-  Voxels::Level level{terrain.width, terrain.height, {}, {}, {}};
+  Voxels::Level level{terrain.width, terrain.height, {}, {}, {}, {}};
   level.cells.resize(terrain.heights.size());
   for (std::size_t k = 0; k < level.cells.size(); ++k) {
     const moire::Color c = terrain.colors[k];
@@ -30,7 +31,7 @@ Voxels::Level finest(const Terrain& terrain) {
 
 // Each cell the mean of four.
 Voxels::Level coarser(const Voxels::Level& fine) {
-  Voxels::Level level{fine.width / 2, fine.height / 2, {}, {}, {}};
+  Voxels::Level level{fine.width / 2, fine.height / 2, {}, {}, {}, {}};
   level.cells.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
   for (int j = 0; j < level.height; ++j) {
     for (int i = 0; i < level.width; ++i) {
@@ -56,12 +57,16 @@ Voxels::Voxels(const Terrain& terrain) {
   double sum = 0;
   for (float h : terrain.heights) sum += h;
   mean_height_ = sum / static_cast<double>(terrain.heights.size());
+  colors_are_finite_ = std::all_of(terrain.colors.begin(), terrain.colors.end(), [](moire::Color c) {
+    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+  });
 
   levels_.push_back(finest(terrain));
   while (levels_.back().width % 2 == 0 && levels_.back().height % 2 == 0) levels_.push_back(coarser(levels_.back()));
   for (Level& level : levels_) {
     level.columns = wrapped_places(level.width, 1);
     level.rows = wrapped_places(level.height, level.width);
+    level.summits = Summits(level.cells, level.width, level.height);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <moire/element.h>
 #include <moire/texture.h>
 
+#include "summits.h"
 #include "terrain.h"
 
 namespace heightfield {
@@ -33,6 +34,7 @@ class Voxels {
     // Places in `cells` of wrapped columns and rows: entry k stands for index k, beginning at 0 and going on for two
     // mirror periods or more, so that a walk looks up a neighbour without dividing, and steps_ahead beyond.
     std::vector<std::int32_t> columns, rows;
+    Summits summits;
     int column_period() const { return 2 * width; }
     int row_period() const { return 2 * height; }
   };
@@ -42,12 +44,14 @@ class Voxels {
   float lowest() const { return lowest_; }
   float highest() const { return highest_; }
   double mean_height() const { return mean_height_; }
+  bool colors_are_finite() const { return colors_are_finite_; }
   moire::Texture texture() const;
 
  private:
   std::vector<Level> levels_;
   float lowest_, highest_;
   double mean_height_;
+  bool colors_are_finite_;
 };
 
 }  // namespace heightfield

@@ -81,9 +81,10 @@ class Walk {
   template <Face face, bool descends, class Visit>
   void climb(double slope, Visit&& visit);
 
-  // Voxels between the last one counted and that at (p, q); 1 for the first.
-  std::uint64_t count(std::int64_t p, std::int64_t q) {
-    const std::int64_t index = place_of_level_ + p + (grid ? q : 0);
+  // Steps from the walk's beginning to a voxel. Requires: the walk has not entered another level since it stood there.
+  std::int64_t steps_to(const Voxel& voxel) const { return place_of_level_ + voxel.p + (grid ? voxel.q : 0); }
+  // Voxels between the last one counted and that so many steps from the beginning; 1 for the first.
+  std::uint64_t count(std::int64_t index) {
     const std::int64_t steps = counted_ == nothing ? 1 : index - counted_;
     counted_ = index;
     return static_cast<std::uint64_t>(steps);
@@ -102,6 +103,19 @@ class Walk {
   bool enters_along_p(const Voxel& voxel) const {
     return voxel.x0 <= std::max(static_cast<double>(voxel.p) * width_ - eye_p_, 0.0);
   }
+  // The part of the walk that lies ahead within one level, for those who step it themselves. In voxels of the level.
+  struct Leg {
+    int level;
+    double p, end, end_of_level;  // where it stands, and where it ends
+    double stop;                  // x of the far limit, infinite where `end` comes before that in every plane
+    double sure_end;              // up to here the far limit lies ahead in every plane
+    double place;                 // what to add to p to count steps over all levels
+    double eye_p, eye_q;          // voxels of level 0, reduced to one mirror period
+    std::int64_t shift_q;         // what was taken away from the latter
+  };
+  Leg leg() const;
+  // Goes on beyond the end of a leg stepped so far in a plane with this m. False: the far limit is reached.
+  bool next_leg(const Leg& stepped, double m);
 
   const Plane& plane() const { return plane_; }
   // Across coordinate of the track at distance x, in the walk's axes.
@@ -119,8 +133,15 @@ class Walk {
   void set_axes(const Plane& plane);
   // World units over the ground for an advance of one voxel in p.
   double unit() const;
+  // Where a walk goes on that stands at p, x0 along the track: behind the voxels up to the end of p's block of summits,
+  // but not beyond `end`, if none of these rises above the ray; else at p.
+  template <bool descends>
+  std::int64_t behind_hidden(std::int64_t p, double x0, double slope, std::int64_t end) const;
   // Finds how far to walk from here in one go: as far as all planes see, and beyond that to the far limit of this one.
   void find_end(double unit);
+  std::int64_t sure_end() const {
+    return static_cast<std::int64_t>(std::floor((eye_p_ + sure_distance_) * inverse_width_));
+  }
   bool ends_at_far_limit() const { return stop_ < endless_distance && end_ < end_of_level_; }
   // First step of the walk, in voxels of level 0, that belongs to `level`. Whole voxels only, but for the eye's own.
   std::int64_t begin_of_level(int level, double unit) const;
@@ -208,10 +229,10 @@ double Walk<grid>::unit() const {
 
 template <bool grid>
 void Walk<grid>::find_end(double unit) {
-  const auto sure_end = static_cast<std::int64_t>(std::floor((eye_p_ + sure_distance_) * inverse_width_));
-  if (p_ < sure_end) {
+  const std::int64_t sure = sure_end();
+  if (p_ < sure) {
     stop_ = endless_distance;
-    end_ = std::min(end_of_level_, sure_end);
+    end_ = std::min(end_of_level_, sure);
   } else {
     stop_ = view_.far / unit;
     end_ = std::min(end_of_level_, static_cast<std::int64_t>(std::ceil((eye_p_ + stop_) * inverse_width_)));
@@ -267,9 +288,41 @@ bool Walk<grid>::enter_counted(std::int64_t p0) {
 }
 
 template <bool grid>
+typename Walk<grid>::Leg Walk<grid>::leg() const {
+  const auto real = [](std::int64_t n) { return static_cast<double>(n); };
+  return {level_, real(p_), real(end_), real(end_of_level_), stop_, real(sure_end()), real(place_of_level_),
+          eye_p_, eye_q_,   shift_q_};
+}
+
+template <bool grid>
+bool Walk<grid>::next_leg(const Leg& stepped, double m) {
+  plane_.m = m;
+  p_ = static_cast<std::int64_t>(stepped.p);
+  end_ = static_cast<std::int64_t>(stepped.end);
+  stop_ = stepped.stop;
+  return !ends_at_far_limit() && enter_counted(end_ << level_);
+}
+
+template <bool grid>
+template <bool descends>
+[[gnu::noinline]] std::int64_t Walk<grid>::behind_hidden(std::int64_t p, double x0, double slope,
+                                                         std::int64_t end) const {
+  const Summits& summits = view_.voxels->level(level_).summits;
+  const auto at_p = static_cast<int>((p + axis_p_.offset) % axis_p_.period);
+  const std::int64_t run_end = std::min(end, p + summits.length(plane_.swapped, at_p));
+  const double x1 = std::min(static_cast<double>(run_end) * width_ - eye_p_, stop_);
+  const auto q0 = static_cast<std::int64_t>(std::ldexp(across(x0), -level_));
+  const auto q1 = static_cast<std::int64_t>(std::ldexp(across(x1), -level_));
+  const auto at_q = static_cast<int>((q0 + axis_q_.offset) % axis_q_.period);
+  const float highest = summits.highest({plane_.swapped, at_p, at_q, static_cast<int>(q1 - q0)});
+  return highest - view_.z > slope * (descends || slope < 0 ? x1 : x0) ? p : run_end;
+}
+
+template <bool grid>
 template <Face face, bool descends, class Visit>
 [[gnu::always_inline]] inline void Walk<grid>::climb(double slope, Visit&& visit) {
   const double z = view_.z, eye_p = eye_p_;
+  const std::int64_t patience = view_.patience();
   while (p_ < end_ || (!ends_at_far_limit() && enter_counted(end_ << level_))) {
     // Across, in voxels of the level: scaling by a power of two changes no bits.
     const double width = width_, stop = stop_, eye_q = eye_q_ * inverse_width_, m = plane_.m * inverse_width_;
@@ -292,7 +345,22 @@ template <Face face, bool descends, class Visit>
     const double ahead = steps_ahead * width;
     std::int64_t p = p_;
     double next = static_cast<double>(p_ + 1) * width;
+    std::int64_t try_at = p + patience;
     for (; p < lap_end; ++p, next += width) {
+      if (p >= try_at) {
+        const std::int64_t behind = behind_hidden<descends>(p, x0, slope, lap_end);
+        if (behind == lap_end) {
+          p = behind;
+          break;
+        }
+        try_at = behind == p ? p + Summits::block : behind;
+        if (behind > p) {
+          p = behind;
+          next = static_cast<double>(p + 1) * width;
+          x0 = std::min(static_cast<double>(p) * width - eye_p, stop);
+          q0 = static_cast<std::int64_t>(eye_q + x0 * m);
+        }
+      }
       const double x1 = std::min(next - eye_p, stop);
       const std::int32_t place_p = places_p[p + offset_p];
       const auto ahead_q = static_cast<std::int64_t>(eye_q + (x1 + ahead) * m);
@@ -301,6 +369,7 @@ template <Face face, bool descends, class Visit>
         const Cell* cell = cells + (place_p + places_q[q + offset_q]);
         const bool far_edge = face == Face::box && (descends || slope < 0);
         if (!(cell->height - z > slope * (far_edge ? to : from))) return true;
+        try_at = p + patience;
         return visit(Voxel{cell, from, to, p, q}, slope);
       };
       if constexpr (grid) {

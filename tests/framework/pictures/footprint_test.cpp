@@ -50,7 +50,7 @@ Drawing footprint(const char* in, PixelArea area, const Deposits& own, const Dep
 }
 
 // From the bottom of pixel (x, y) of the window: rows that are blue, and rows whose last column is orange. All else is
-// red and white.
+// red, or blue beside a leak that ends lower.
 struct Bars {
   int sampled = 0, leaked = 0;
   friend bool operator==(const Bars&, const Bars&) = default;
@@ -63,7 +63,7 @@ Bars bars(const Picture& picture, int x, int y) {
       return picture.pixels[static_cast<std::size_t>((8 * y + 7 - row) * picture.size.width + 8 * x + column)];
     };
     for (int column = 0; column < 7; ++column) CHECK(at(column) == (at(0) == sampled ? sampled : missed));
-    CHECK(at(7) == (at(7) == leaked ? leaked : outside));
+    CHECK(at(7) == (at(7) == leaked ? leaked : at(0)));
     // Bars stand on the bottom and have no gaps.
     if (at(0) == sampled) CHECK(found.sampled++ == row);
     if (at(7) == leaked) CHECK(found.leaked++ == row);
@@ -105,8 +105,8 @@ TEST_CASE("on the image, bars are as high as the visible weight that is sampled 
   // Missed .75 + 1 + 1 of six, leaked 1 + .25.
   CHECK(drawing.caption ==
         "Window of 3 x 2 pixels at (4, 2), magnified 8 times. Each pixel, from its bottom: blue the visible weight "
-        "that is sampled, red what is missed (mean 0.458); orange bar: weight given to what cannot be seen there "
-        "(mean 0.208)");
+        "that is sampled, red what is missed (mean 0.458); orange, at the right: weight given to what cannot be "
+        "seen there (mean 0.208)");
 }
 
 TEST_CASE("where all is sampled nothing is missed, however the weights' sum is rounded") {

@@ -59,7 +59,8 @@ TEST_CASE("the runs of a radial line begin and end where single rays change what
       const Line line = radial_line(view, frame->lines()->pole().value(), k);
       const double length = std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
       Tally pieces(1, true);
-      frame->lines()->along(line.from, line.to, std::array{0.0, length}, nullptr, pieces);
+      const std::array whole{0.0, length};
+      follow(*frame, {line.from, line.to, whole}, pieces);
       Verdict verdict;
       const auto ray_at = [&](double place) {
         const Point p = along(line.from, line.to, place);
@@ -92,7 +93,7 @@ TEST_CASE("a line through the nadir is seen the other way beyond it") {
         std::vector<double> cuts;
         for (int i = 0; i <= 16; ++i) cuts.push_back(i);
         Tally pieces(16, true);
-        frame->lines()->along(from, to, cuts, nullptr, pieces);
+        follow(*frame, {from, to, cuts}, pieces);
         for (int i = 0; i < 16; ++i) {
           CHECK(std::abs(pieces.weight(static_cast<std::size_t>(i)) - 1) <= 1e-12);
           if (i == 7) continue;  // seen as two stretches
@@ -117,8 +118,9 @@ TEST_CASE("a line that is neither upright nor radial is refused") {
   const View view{.caption = "", .x = 3.3, .y = 5.7, .z = 12, .pitch = -30};
   const auto frame = terrain.frame(view);
   Tally pieces(1, false);
+  const std::array cuts{0.0, 1.0};
   CHECK(message_of([&] {
-          frame->lines()->along({3, 18}, {9, 0}, std::array{0.0, 1.0}, nullptr, pieces);
+          follow(*frame, {{3, 18}, {9, 0}, cuts}, pieces);
         }) == "heightfield: an image line is neither upright nor through the nadir point");
 }
 

@@ -187,7 +187,8 @@ TEST_CASE("with the azimuth of their column, upright lines see what rays turned 
     const int height = view.size.height;
     for (const double x : {0.4, 7.3, view.size.width / 2.0, view.size.width - 0.27}) {
       Tally pieces(static_cast<std::size_t>(height), true);
-      frame->lines()->along({x, static_cast<double>(height)}, {x, 0}, pixels_of(height), nullptr, pieces);
+      const auto cuts = pixels_of(height);
+      follow(*frame, {{x, static_cast<double>(height)}, {x, 0}, cuts}, pieces);
       for (int i = 0; i < height; ++i) {
         CAPTURE(view.caption, x, i);
         const auto slot = static_cast<std::size_t>(i);
@@ -260,7 +261,8 @@ TEST_CASE("of voxels with near faces alone, upright lines see the walls up to th
     const int height = view.size.height;
     for (const double x : {0.4, 7.3, view.size.width - 0.27}) {
       Tally pieces(static_cast<std::size_t>(height), true);
-      frame->lines()->along({x, static_cast<double>(height)}, {x, 0}, pixels_of(height), nullptr, pieces);
+      const auto cuts = pixels_of(height);
+      follow(*frame, {{x, static_cast<double>(height)}, {x, 0}, cuts}, pieces);
       for (int i = 0; i < height; ++i) {
         CAPTURE(view.caption, x, i);
         Verdict verdict;
@@ -314,8 +316,9 @@ TEST_CASE(
       };
       Tally lengths(static_cast<std::size_t>(height), true), heights(static_cast<std::size_t>(height), true);
       const Point from{x, static_cast<double>(height)}, to{x, 0};
-      by_area->lines()->along(from, to, pixels_of(height), nullptr, lengths);
-      by_height->lines()->along(from, to, pixels_of(height), nullptr, heights);
+      const auto cuts = pixels_of(height);
+      follow(*by_area, {from, to, cuts}, lengths);
+      follow(*by_height, {from, to, cuts}, heights);
       for (int i = 0; i < height; ++i) {
         CAPTURE(view.caption, x, i);
         const auto slot = static_cast<std::size_t>(i);

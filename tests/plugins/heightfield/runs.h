@@ -19,6 +19,11 @@ struct Run {
   double begin, end;  // pixels from the line's begin
 };
 
+// What the scene deposits for one line, in its own colours.
+inline void follow(const Frame& frame, const ImageLine& line, Tally& pieces) {
+  frame.lines()->along({&line, 1}, nullptr, pieces);
+}
+
 inline std::vector<Run> runs_of(const Tally& pieces, std::size_t slot, double begin, double end, bool rises) {
   std::vector<Run> runs;
   double at = rises ? begin : end;

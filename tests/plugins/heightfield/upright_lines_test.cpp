@@ -56,7 +56,7 @@ TEST_CASE("the runs of an upright column's pixels are what single rays in the pl
     for (int i = 0; i <= height; ++i) cuts.push_back(i);
     for (const double x : {0.4, 7.3, view.size.width / 2.0, view.size.width - 0.27}) {
       Tally pieces(static_cast<std::size_t>(height), true);
-      frame->lines()->along({x, static_cast<double>(height)}, {x, 0}, cuts, nullptr, pieces);
+      follow(*frame, {{x, static_cast<double>(height)}, {x, 0}, cuts}, pieces);
       for (int i = 0; i < height; ++i) {
         CAPTURE(view.caption, view.yaw, view.pitch, x, i);
         const auto slot = static_cast<std::size_t>(i);
