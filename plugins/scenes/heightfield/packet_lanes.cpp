@@ -289,6 +289,10 @@ class Packet {
     state.g = hn::Add(state.g, hn::Mul(weight, g));
     state.b = hn::Add(state.b, hn::Mul(weight, b));
   }
+  HWY_INLINE void advance(State& state, Real by) const {
+    state.p = hn::Add(state.p, by);
+    state.at_p = wrapped_down(hn::Add(state.at_p, hn::DemoteTo(I(), by)), period_p_);
+  }
   HWY_INLINE void deposit(State& state, Real weight, const Cells& cells, Real p, Real q, Real x1);
 
   // Of all lanes.
@@ -651,10 +655,13 @@ HWY_INLINE void Packet<interpolation>::step(State& state) {
   state.at = until;
   state.slope = hn::IfThenElse(met, smaller(hn::Div(top, x1), state.last_slope), state.slope);
   state.last_hit = hn::IfThenElse(met, p, state.last_hit);
-  const Real advance = hn::IfThenZeroElse(ends, live_);
-  state.p = hn::Add(p, advance);
-  state.at_p = wrapped_down(hn::Add(state.at_p, hn::DemoteTo(I(), advance)), period_p_);
-  if (!hn::AllFalse(d, ends)) end_rows(state, ends);
+  // Two ways, so that while no row ends the next voxels are found and fetched before this one is compared.
+  if (hn::AllFalse(d, ends)) {
+    advance(state, live_);
+  } else {
+    advance(state, hn::IfThenZeroElse(ends, live_));
+    end_rows(state, ends);
+  }
 }
 
 template <Interpolation interpolation>
