@@ -41,6 +41,7 @@ class ExperimentReader {
     samplers_ = read_choices("samplers", Kind::sampler);
     read_reference();
     read_seed();
+    read_keep_images();
     experiment_.frames = read_frames(root_.find("frames"), scenes_, reading_);
     metrics_ = read_passes(list("metrics"), root_.place,
                            {"metrics", "metric", vocabulary_.metrics, format::default_metric, true}, reading_);
@@ -145,6 +146,14 @@ class ExperimentReader {
     if (cell) experiment_.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(cell->value));
   }
 
+  void read_keep_images() {
+    const Parameter& parameter = format::keep_images;
+    const JsonNode* node = root_.find(parameter.name);
+    const auto cell = node ? read_value(*node, std::string(parameter.name), parameter, parameter.name, reading_)
+                           : default_cell(parameter);
+    if (cell) experiment_.keep_images = std::get<bool>(cell->value);
+  }
+
   void refuse_impossible_scenes() {
     for (const Choice& scene : scenes_) {
       const std::string problem = scene.plugin->scene->problem(settings_of(scene.table, scene.cells));
@@ -198,7 +207,8 @@ class ExperimentReader {
         {"seed", experiment_.seed},
         {"frames", written(experiment_.frames)},
         {"metrics", nlohmann::ordered_json::array()},
-        {"pictures", nlohmann::ordered_json::array()}};
+        {"pictures", nlohmann::ordered_json::array()},
+        {format::keep_images.name, experiment_.keep_images}};
     for (const Choice& scene : scenes_) result["scenes"].push_back(written(scene));
     for (const Choice& sampler : samplers_) result["samplers"].push_back(written(sampler));
     if (!reference_.empty()) result["reference"] = written(reference_.front());

@@ -46,6 +46,7 @@ struct Experiment {
   std::uint64_t seed = 1;
   Frames frames;
   std::vector<PassChoice> metrics, pictures;
+  bool keep_images = true;  // else images are only judged
   // With every default filled in and every grid spread out; reading it gives this experiment again.
   nlohmann::ordered_json request;
 };

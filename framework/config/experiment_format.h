@@ -21,6 +21,8 @@ inline constexpr Parameter image[] = {
 inline constexpr Parameter seed =
     parameter::integer("seed", 1, 0, std::int64_t{1} << 53, "", "chooses the random numbers of the whole experiment");
 
+inline constexpr Parameter keep_images =
+    parameter::flag("keep_images", true, "images are kept and shown; false: only judged, for sweeps over many scenes");
 inline constexpr Parameter frame_count =
     parameter::integer("count", 1, 1, 1'000'000, "frames", "frames of the animation; 1: a still image");
 inline constexpr Parameter still_frame =
@@ -28,7 +30,7 @@ inline constexpr Parameter still_frame =
 inline constexpr std::string_view animate_key = "animate";
 
 inline constexpr std::string_view keys[] = {"question", "image",  "scenes",  "samplers", "reference",
-                                            "seed",     "frames", "metrics", "pictures"};
+                                            "seed",     "frames", "metrics", "pictures", "keep_images"};
 inline constexpr std::string_view default_reference = "auto";
 inline constexpr std::string_view default_metric = "error";
 

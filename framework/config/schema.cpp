@@ -174,7 +174,8 @@ Json experiment_schema(const Vocabulary& vocabulary) {
       {"seed", parameter_schema(format::seed, false)},
       {"frames", frames_schema()},
       {"metrics", one_or_several("metric")},
-      {"pictures", one_or_several("picture")}};
+      {"pictures", one_or_several("picture")},
+      {std::string(format::keep_images.name), parameter_schema(format::keep_images, false)}};
   schema["properties"]["reference"]["default"] = format::default_reference;
   schema["properties"]["metrics"]["default"] = {format::default_metric};
   schema["required"] = {"question", "image", "scenes", "samplers"};

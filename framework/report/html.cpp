@@ -156,10 +156,17 @@ Markup numbers(const Results& results, const SceneView& view) {
              "reference\u2019s accuracy: as good as can be told. Small figures are intervals.");
 }
 
+// A run may have kept none.
+bool has_images(const SceneView& view) {
+  return std::any_of(view.images.panels.begin(), view.images.panels.end(),
+                     [](const Panel& panel) { return panel.picture != Panel::no_picture; });
+}
+
 Markup scene_section(const ReportData& data, std::size_t index) {
   const SceneView& view = data.scenes[index];
-  Markup content = reference_text(data, view.scene) + findings(view) + side_by_side(data, view) +
-                   magnified(data, view) + one_over_the_other(data, view, index);
+  Markup content = reference_text(data, view.scene) + findings(view);
+  if (has_images(view))
+    content += side_by_side(data, view) + magnified(data, view) + one_over_the_other(data, view, index);
   for (const PictureRow& row : view.other_rows) content += picture_row(data, row);
   content += speed_against_error(view) + numbers(data.results, view);
   content += details("Scene: " + view.scene.type + " " + view.scene.version,

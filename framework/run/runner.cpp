@@ -135,7 +135,8 @@ class SceneRun {
     result.reference = reference_.recipe;
     result.reference_error = reference_.error;
     result.reference_error_how = reference_.how;
-    result.reference_image = sink_.picture(choice_.name, reference_folder, reference_.picture);
+    if (experiment_.keep_images)
+      result.reference_image = sink_.picture(choice_.name, reference_folder, reference_.picture);
     frame_ = std::move(frame);
   }
 
@@ -195,8 +196,10 @@ class SceneRun {
 
     Counters sum;
     for (const Counters& block : counters) sum += block;
-    results_.images.push_back(
-        {choice_.name, sampler.name, "image", sink_.picture(choice_.name, sampler.name, picture), 0, ""});
+    if (experiment_.keep_images) {
+      results_.images.push_back(
+          {choice_.name, sampler.name, "image", sink_.picture(choice_.name, sampler.name, picture)});
+    }
     for (const Pass& pass : passes) {
       add_rows(sampler.name, *pass.entry->description, pass.metric->finish({picture, reference_.picture, sum}));
       for (const Map& map : pass.metric->maps()) {

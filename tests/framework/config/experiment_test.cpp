@@ -55,7 +55,7 @@ TEST_CASE("a file that is empty, no JSON or no object is refused") {
         "edges/experiment.json:1: the file ends too early; a '}' is missing for the '{' of line 1");
   CHECK(folder.problems("[]") ==
         "edges/experiment.json:1: is a list; an experiment is an object with question, image, scenes, samplers, "
-        "reference, seed, frames, metrics, pictures");
+        "reference, seed, frames, metrics, pictures, keep_images");
 }
 
 TEST_CASE("keys that must be there are asked for, all at once") {
@@ -72,9 +72,9 @@ TEST_CASE("keys that nobody knows are refused with the nearest known one") {
   CHECK(
       folder.problems_with({R"("sampler": [])", R"("zebra": 1)", R"("$schema": "x.json")"}) ==
       "edges/experiment.json:6: sampler: unknown key; did you mean \"samplers\"? an experiment takes question, image, "
-      "scenes, samplers, reference, seed, frames, metrics, pictures\n"
+      "scenes, samplers, reference, seed, frames, metrics, pictures, keep_images\n"
       "edges/experiment.json:7: zebra: unknown key; an experiment takes question, image, scenes, samplers, reference, "
-      "seed, frames, metrics, pictures");
+      "seed, frames, metrics, pictures, keep_images");
 }
 
 TEST_CASE("values of the experiment's own keys are checked") {

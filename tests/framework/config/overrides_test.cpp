@@ -60,7 +60,7 @@ TEST_CASE("wrong values are reported as set there") {
   const ExperimentFolder folder;
   CHECK(folder.problems_of_sets({"image.width=0", "imag.width=3", "samplers[0].n={\"a\": 1, \"a\": 2}"}) ==
         "--set imag.width=3: imag: unknown key; did you mean \"image\"? an experiment takes question, image, scenes, "
-        "samplers, reference, seed, frames, metrics, pictures\n"
+        "samplers, reference, seed, frames, metrics, pictures, keep_images\n"
         "--set image.width=0: image.width: is 0; \"image\" takes 1 to 16384 pixels\n"
         "--set samplers[0].n={\"a\": 1, \"a\": 2}: samplers[0].n.a: repeated key; keep one of them\n"
         "--set samplers[0].n={\"a\": 1, \"a\": 2}: samplers[0].n: unknown key; \"point\" takes lookup, label");

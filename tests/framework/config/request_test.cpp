@@ -156,7 +156,8 @@ TEST_CASE("the request has every default filled in and every grid spread out") {
    "type": "error"
   }
  ],
- "pictures": []
+ "pictures": [],
+ "keep_images": true
 })");
 }
 
