@@ -551,11 +551,12 @@ HWY_INLINE void Packet<interpolation>::end_rows(State& state, Mask ended) {
 template <Interpolation interpolation>
 HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
   const Real zero = hn::Zero(d);
+  bool turned = false;
   for (;;) {
     const Mask at_end = hn::Ge(state.p, end_), above = hn::Ge(state.slope, zero);
     Mask sky = hn::Or(above, hn::And(at_end, hn::And(hn::Lt(stop_, real(infinity)), hn::Lt(end_, end_of_level_))));
     const Mask leg_ends = hn::AndNot(sky, at_end);
-    if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) return;
+    if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) break;
     for_each_lane(leg_ends, [&](std::size_t k) {
       Walk<false>::Leg leg{};
       leg.p = lane(state.p, k), leg.end = lane(end_, k), leg.stop = lane(stop_, k);
@@ -568,7 +569,10 @@ HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
     const Real weight = hn::Sub(hn::IfThenElse(sky, state.end_at, state.at), state.at);
     add(state, weight, real(task_->sky.r), real(task_->sky.g), real(task_->sky.b));
     end_rows(state, sky);
+    turned = true;
   }
+  // Row after row of sky has turned the plane, and no step has kept count.
+  if (turned) count_laps(state);
 }
 
 template <Interpolation interpolation>
