@@ -303,7 +303,7 @@ class Packet {
   std::size_t row_count_ = 0;
   std::span<const PacketLine> lines_;
   bool swapped_ = false;
-  double z_ = 0, eye_p_ = 0, eye_q_unscaled_ = 0;
+  double z_ = 0, eye_p_ = 0;
   std::int64_t shift_q_ = 0;
   bool walking_ = false;
   std::ptrdiff_t ahead_ = 0;  // from a cell to the one some steps ahead, as far as the first lane can tell
@@ -418,7 +418,6 @@ HWY_NOINLINE void Packet<interpolation>::load_leg(State& state, std::size_t k) {
   const Voxels::Level& level = task_->view.voxels->level(leg.level);
   const double inverse_width = std::ldexp(1.0, -leg.level);
   eye_p_ = leg.eye_p;
-  eye_q_unscaled_ = leg.eye_q;
   shift_q_ = leg.shift_q;
   set_lane(state.p, k, leg.p);
   set_lane(end_, k, leg.end);
