@@ -303,7 +303,7 @@ class Packet {
   std::size_t row_count_ = 0;
   std::span<const PacketLine> lines_;
   bool swapped_ = false;
-  double z_ = 0, eye_p_ = 0, eye_q_unscaled_ = 0;
+  double z_ = 0, eye_p_ = 0;
   std::int64_t shift_q_ = 0;
   bool walking_ = false;
   std::ptrdiff_t ahead_ = 0;  // from a cell to the one some steps ahead, as far as the first lane can tell
@@ -418,7 +418,6 @@ HWY_NOINLINE void Packet<interpolation>::load_leg(State& state, std::size_t k) {
   const Voxels::Level& level = task_->view.voxels->level(leg.level);
   const double inverse_width = std::ldexp(1.0, -leg.level);
   eye_p_ = leg.eye_p;
-  eye_q_unscaled_ = leg.eye_q;
   shift_q_ = leg.shift_q;
   set_lane(state.p, k, leg.p);
   set_lane(end_, k, leg.end);
@@ -551,11 +550,12 @@ HWY_INLINE void Packet<interpolation>::end_rows(State& state, Mask ended) {
 template <Interpolation interpolation>
 HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
   const Real zero = hn::Zero(d);
+  bool turned = false;
   for (;;) {
     const Mask at_end = hn::Ge(state.p, end_), above = hn::Ge(state.slope, zero);
     Mask sky = hn::Or(above, hn::And(at_end, hn::And(hn::Lt(stop_, real(infinity)), hn::Lt(end_, end_of_level_))));
     const Mask leg_ends = hn::AndNot(sky, at_end);
-    if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) return;
+    if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) break;
     for_each_lane(leg_ends, [&](std::size_t k) {
       Walk<false>::Leg leg{};
       leg.p = lane(state.p, k), leg.end = lane(end_, k), leg.stop = lane(stop_, k);
@@ -568,7 +568,10 @@ HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
     const Real weight = hn::Sub(hn::IfThenElse(sky, state.end_at, state.at), state.at);
     add(state, weight, real(task_->sky.r), real(task_->sky.g), real(task_->sky.b));
     end_rows(state, sky);
+    turned = true;
   }
+  // Row after row of sky has turned the plane, and no step has kept count.
+  if (turned) count_laps(state);
 }
 
 template <Interpolation interpolation>
