@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <Eigen/Dense>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -10,42 +11,51 @@
 
 namespace moire {
 
-double CostModel::predict(const std::array<double, 4>& counts) const {
+double CostModel::predict(const OperationCounts& counts) const {
   double time = 0;
-  for (std::size_t k = 0; k < counts.size(); ++k) time += coefficients[k].value * counts[k];
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (coefficients[k]) time += coefficients[k]->value * counts[k];
+  }
   return time;
 }
 
 CostModel fit_cost_model(std::span<const CostSample> samples) {
-  constexpr Eigen::Index unknowns = 4;
-  const auto rows = static_cast<Eigen::Index>(samples.size());
-  if (rows <= unknowns) throw Error("cost: four coefficients take five runs or more; add scenes or samplers");
+  std::vector<std::size_t> operations;  // those that happen
+  for (std::size_t k = 0; k < cost_operations; ++k) {
+    if (std::any_of(samples.begin(), samples.end(), [&](const CostSample& sample) { return sample.counts[k] != 0; }))
+      operations.push_back(k);
+  }
+  const auto rows = static_cast<Eigen::Index>(samples.size()), unknowns = static_cast<Eigen::Index>(operations.size());
+  if (rows <= unknowns) {
+    throw Error(fmt::format("cost: {} coefficients take {} runs or more, there are {}; add scenes or samplers",
+                            unknowns, unknowns + 1, rows));
+  }
 
   // Every equation is divided by its time, every unknown's column by its norm.
   Eigen::MatrixXd equations(rows, unknowns);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const CostSample& sample = samples[static_cast<std::size_t>(i)];
     for (Eigen::Index k = 0; k < unknowns; ++k)
-      equations(i, k) = sample.counts[static_cast<std::size_t>(k)] / sample.time;
+      equations(i, k) = sample.counts[operations[static_cast<std::size_t>(k)]] / sample.time;
   }
   const Eigen::RowVectorXd scale = equations.colwise().norm();
-  if (!(scale.minCoeff() > 0)) throw Error("cost: an operation never happens in these runs; its cost cannot be told");
   for (Eigen::Index k = 0; k < unknowns; ++k) equations.col(k) /= scale(k);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(rows);
 
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equations);
   qr.setThreshold(1e-9);
   if (qr.rank() < unknowns)
-    throw Error("cost: these runs cannot tell the four costs apart; add views, or samplers of other rates");
+    throw Error("cost: these runs cannot tell the costs apart; add views, or samplers of other rates");
   const Eigen::VectorXd solution = qr.solve(ones);
-  const double variance = (ones - equations * solution).squaredNorm() / static_cast<double>(rows - unknowns);
+  const auto freedom = static_cast<double>(rows - unknowns);
+  const double variance = (ones - equations * solution).squaredNorm() / freedom;
   const Eigen::MatrixXd covariance = variance * (equations.transpose() * equations).inverse();
-  const double t = boost::math::quantile(boost::math::students_t(static_cast<double>(rows - unknowns)), 0.975);
+  const double t = boost::math::quantile(boost::math::students_t(freedom), 0.975);
 
   CostModel model;
   for (Eigen::Index k = 0; k < unknowns; ++k) {
     const double value = solution(k) / scale(k), half = t * std::sqrt(covariance(k, k)) / scale(k);
-    model.coefficients[static_cast<std::size_t>(k)] = {value, value - half, value + half};
+    model.coefficients[operations[static_cast<std::size_t>(k)]] = {value, value - half, value + half};
   }
   return model;
 }

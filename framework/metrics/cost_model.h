@@ -2,17 +2,22 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace moire {
 
-// Operations counted in one run, per image column.
+// The operations of one run, per image column: L steps, P pixels, M sampled elements, hits of points, and runs that
+// lines find (the paper's hits of area sampling, which cost d' each).
+constexpr std::size_t cost_operations = 5;
+using OperationCounts = std::array<double, cost_operations>;
+
 struct CostSample {
   std::string scene, sampler;
-  std::array<double, 4> counts;  // L steps, P pixels, M sampled elements, hits
-  double time;                   // ns per column; above 0
+  OperationCounts counts;
+  double time;  // ns per column; above 0
 };
 
 struct Coefficient {
@@ -20,15 +25,15 @@ struct Coefficient {
   double low = 0, high = 0;  // 95 % confidence, Student's t
 };
 
-// time = a L + b P + c M + d hits.
+// time = a L + b P + c M + d hits + d' runs.
 struct CostModel {
-  std::array<Coefficient, 4> coefficients;
+  std::array<std::optional<Coefficient>, cost_operations> coefficients;  // none: the operation never happened
 
-  double predict(const std::array<double, 4>& counts) const;
+  double predict(const OperationCounts& counts) const;
 };
 
 // Least squares of relative errors: every run counts alike, however long it took.
-// Error: fewer than five samples, or samples that cannot tell the four apart.
+// Error: no more samples than operations, or samples that cannot tell these apart.
 CostModel fit_cost_model(std::span<const CostSample> samples);
 
 // How wrong the model is about a scene that it was not fitted to: |predicted - measured| / measured.

@@ -14,8 +14,9 @@ namespace moire {
 namespace {
 
 constexpr const char* title = "Cost model";
-constexpr std::array names{"cost.a", "cost.b", "cost.c", "cost.d"};
-constexpr std::array operations{"step (L)", "pixel (P)", "sampled element (M)", "hit"};
+constexpr std::array names{"cost.a", "cost.b", "cost.c", "cost.d", "cost.d_run"};
+constexpr std::array operations{"step (L)", "pixel (P)", "sampled element (M)", "hit of a point", "run of a line"};
+static_assert(names.size() == cost_operations && operations.size() == cost_operations);
 
 double value_of(const Results& results, const std::string& scene, const std::string& sampler, const char* metric) {
   const auto row = std::find_if(results.rows.begin(), results.rows.end(), [&](const Row& r) {
@@ -24,16 +25,18 @@ double value_of(const Results& results, const std::string& scene, const std::str
   return row == results.rows.end() ? std::nan("") : row->value;
 }
 
-std::vector<CostSample> samples_of(const Results& results) {
+std::vector<CostSample> samples_of(const Results& results, const std::set<std::string>& on_lines) {
   std::vector<CostSample> samples;
   for (const SceneResult& scene : results.scenes) {
     for (const ContenderResult& contender : results.contenders) {
       const auto value = [&](const char* metric) { return value_of(results, scene.name, contender.name, metric); };
-      CostSample sample{
-          scene.name,
-          contender.name,
-          {value("coverage.steps"), value("coverage.pixels"), value("coverage.sampled"), value("coverage.hits")},
-          1e6 * value("speed.ms_per_frame") / results.width};
+      const double hits = value("coverage.hits");
+      const bool is_on_lines = on_lines.contains(contender.name);
+      CostSample sample{scene.name,
+                        contender.name,
+                        {value("coverage.steps"), value("coverage.pixels"), value("coverage.sampled"),
+                         is_on_lines ? 0 : hits, is_on_lines ? hits : 0},
+                        1e6 * value("speed.ms_per_frame") / results.width};
       const bool is_whole =
           std::none_of(sample.counts.begin(), sample.counts.end(), [](double n) { return std::isnan(n); });
       if (is_whole && sample.time > 0) samples.push_back(std::move(sample));
@@ -54,25 +57,22 @@ std::string dearer(const std::vector<CostSample>& samples, const CostSample& bas
 
 class CostAnalysis {
  public:
-  explicit CostAnalysis(Results& results)
-      : results_(results), samples_(samples_of(results)), model_(fit_cost_model(samples_)) {
+  CostAnalysis(Results& results, const std::set<std::string>& on_lines)
+      : results_(results), samples_(samples_of(results, on_lines)), model_(fit_cost_model(samples_)) {
     results.analyses.push_back({title, {}});
   }
 
   void report_coefficients() {
-    std::string formula;
+    std::string formula, unsure;
     for (std::size_t k = 0; k < names.size(); ++k) {
-      const Coefficient& c = model_.coefficients[k];
-      results_.rows.push_back({title, title, names[k], c.value, c.low, c.high, "ns"});
-      const char* sign = c.value < 0 ? (k == 0 ? "-" : " - ") : (k == 0 ? "" : " + ");
-      formula += fmt::format("{}{:.1f} ns a {}", sign, std::abs(c.value), operations[k]);
+      if (!model_.coefficients[k]) continue;
+      const auto& [value, low, high] = *model_.coefficients[k];
+      results_.rows.push_back({title, title, names[k], value, low, high, "ns"});
+      const char* sign = value < 0 ? (formula.empty() ? "-" : " - ") : (formula.empty() ? "" : " + ");
+      formula += fmt::format("{}{:.1f} ns a {}", sign, std::abs(value), operations[k]);
+      if (low <= 0 && high >= 0) unsure += fmt::format("{}{}", unsure.empty() ? "" : ", ", operations[k]);
     }
     say(fmt::format("Time of an image column, fitted to {} runs: {}.", samples_.size(), formula));
-    std::string unsure;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const Coefficient& c = model_.coefficients[k];
-      if (c.low <= 0 && c.high >= 0) unsure += fmt::format("{}{}", unsure.empty() ? "" : ", ", operations[k]);
-    }
     if (!unsure.empty()) say(fmt::format("Not told apart from no cost at all (95 % confidence): {}.", unsure));
   }
 
@@ -103,9 +103,9 @@ class CostAnalysis {
 
 }  // namespace
 
-void analyse_cost(const Settings& settings, Results& results) {
+void analyse_cost(const Settings& settings, const std::set<std::string>& on_lines, Results& results) {
   try {
-    CostAnalysis analysis(results);
+    CostAnalysis analysis(results, on_lines);
     analysis.report_coefficients();
     if (results.scenes.size() > 1) analysis.report_held_out();
     if (const std::string& against = settings.text("against"); !against.empty()) analysis.compare_with(against);

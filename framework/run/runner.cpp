@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <mutex>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -377,8 +377,13 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
       result.summary = scene.plugin->summary();
       SceneRun(experiment, scene, catalog, shared, workers, sink, progress, results).run(hashes);
     }
+    std::set<std::string> on_lines;
+    for (const SamplerChoice& sampler : experiment.samplers) {
+      const Questions asked = sampler.plugin->sampler->asks(sampler.settings);
+      if ((asked & (Questions::lines | Questions::radial_lines)) != Questions::none) on_lines.insert(sampler.name);
+    }
     for (const PassChoice& metric : experiment.metrics) {
-      if (registered_metric(metric.name).is_analysis) analyse_cost(metric.settings, results);
+      if (registered_metric(metric.name).is_analysis) analyse_cost(metric.settings, on_lines, results);
     }
   } catch (const Interrupted&) {
     results.interrupted = true;

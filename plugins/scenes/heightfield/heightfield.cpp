@@ -56,6 +56,9 @@ constexpr moire::Parameter parameters[] = {
         .per_frame()
         .exact_when("none"),
     real("level_constant", 0.9, 1e-3, 1e3, "", "voxel width over footprint width, before it is rounded").per_frame(),
+    flag("side_by_side", true,
+         "upright lines are followed many at once in the machine's vectors, where they can be; the result is the same")
+        .per_frame(),
     real("view.x", 512, -1e9, 1e9, "units", "camera, eastward from the north-west corner").per_frame(),
     real("view.y", 980, -1e9, 1e9, "units", "camera, southward from the north-west corner").per_frame(),
     real("view.height", 120, -1e9, 1e9, "units",

@@ -37,6 +37,7 @@ struct Manner {
   bool resume = true;  // rays above one another go on where the last one ended
   int retrace = 0;     // voxels to go back before they do
   Weights weights = Weights::area;
+  bool side_by_side = true;  // upright lines, in the machine's vectors; changes no bit
 };
 
 // What a stretch of a line sees of one voxel, or of the sky.

@@ -27,8 +27,8 @@ bool packets_fit(const Look& look) {
   const View& view = look.view();
   const Manner& manner = look.manner();
   const double reach = view.far / std::min(view.spacing_x, view.spacing_y);
-  return manner.model == Model{.grid = false} && manner.weights == Weights::area && manner.resume &&
-         manner.retrace == 0 && view.z > view.voxels->highest() && view.voxels->colors_are_finite() &&
+  return manner.model == Model{.grid = false} && manner.weights == Weights::area && manner.side_by_side &&
+         manner.resume && manner.retrace == 0 && view.z > view.voxels->highest() && view.voxels->colors_are_finite() &&
          std::max(std::abs(view.x), std::abs(view.y)) + reach < farthest;
 }
 

@@ -58,7 +58,8 @@ Manner manner_of(const moire::Settings& settings) {
                     .face = settings.text("face") == "box" ? Face::box : Face::near},
           .resume = settings.text("coherence") == "resume",
           .retrace = static_cast<int>(settings.integer("retrace")),
-          .weights = settings.text("weights") == "area" ? Weights::area : Weights::height};
+          .weights = settings.text("weights") == "area" ? Weights::area : Weights::height,
+          .side_by_side = settings.flag("side_by_side")};
 }
 
 }  // namespace heightfield
