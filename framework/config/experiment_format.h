@@ -27,7 +27,7 @@ inline constexpr Parameter frame_count =
     parameter::integer("count", 1, 1, 1'000'000, "frames", "frames of the animation; 1: a still image");
 inline constexpr Parameter still_frame =
     parameter::integer("still", 0, 0, 999'999, "", "the frame that images, error, coverage and speed are of, from 0");
-inline constexpr std::string_view animate_key = "animate";
+inline constexpr std::string_view animate_key = "animate", move_key = "move";
 
 inline constexpr std::string_view keys[] = {"question", "image",  "scenes",  "samplers", "reference",
                                             "seed",     "frames", "metrics", "pictures", "keep_images"};

@@ -13,7 +13,10 @@ double Track::at(int frame) const {
 }
 
 Settings settings_at(Settings scene, const Frames& frames, int frame) {
-  for (const Track& track : frames.tracks) scene.set(track.parameter, track.at(frame));
+  for (const Track& track : frames.tracks) {
+    const double own = track.is_added ? scene.real(track.parameter) : 0;
+    scene.set(track.parameter, own + track.at(frame));
+  }
   return scene;
 }
 

@@ -17,6 +17,7 @@ struct Keyframe {
 struct Track {
   std::string parameter;       // "view.x"
   std::vector<Keyframe> keys;  // one at least, frames rising
+  bool is_added = false;       // to the scene's own value; else it stands in its place
 
   double at(int frame) const;
 };

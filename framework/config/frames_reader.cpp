@@ -33,12 +33,16 @@ class FramesReader {
       problem(node.find(format::still_frame.name)->place, "frames.still",
               fmt::format("is {}; frames are numbered from 0 to {}", frames_.still, frames_.count - 1));
     }
-    if (const JsonNode* animate = node.find(format::animate_key)) read_tracks(*animate);
+    for (std::string_view key : {format::animate_key, format::move_key}) {
+      if (const JsonNode* tracks = node.find(key))
+        read_tracks(*tracks, member_path("frames", key), key == format::move_key);
+    }
     return std::move(frames_);
   }
 
  private:
-  static constexpr std::string_view keys[] = {format::frame_count.name, format::still_frame.name, format::animate_key};
+  static constexpr std::string_view keys[] = {format::frame_count.name, format::still_frame.name, format::animate_key,
+                                              format::move_key};
 
   void problem(const Place& place, const std::string& path, const std::string& what) {
     reading_.problems.add(place, path, what);
@@ -58,20 +62,25 @@ class FramesReader {
     return frames_.count > 1 ? fmt::format("[[0, 1.5], [{}, 9]]", frames_.count - 1) : "[[0, 1.5]]";
   }
 
-  void read_tracks(const JsonNode& animate) {
-    if (!animate.is(JsonKind::object)) {
-      return problem(animate.place, "frames.animate",
-                     fmt::format("is {}; it takes an object such as {{\"view.x\": {}}}", shown(animate), example()));
+  void read_tracks(const JsonNode& tracks, const std::string& where, bool is_added) {
+    if (!tracks.is(JsonKind::object)) {
+      return problem(tracks.place, where,
+                     fmt::format("is {}; it takes an object such as {{\"view.x\": {}}}", shown(tracks), example()));
     }
-    for (const JsonMember& member : animate.members) {
-      const std::string path = member_path("frames.animate", member.key);
+    for (const JsonMember& member : tracks.members) {
+      const std::string path = member_path(where, member.key);
+      const auto is_same = [&](const Track& track) { return track.parameter == member.key; };
+      if (std::any_of(frames_.tracks.begin(), frames_.tracks.end(), is_same)) {
+        problem(member.place, path, "is animated already; one of the two would do");
+        continue;
+      }
       bool is_known = true;
       const Plugin* last = nullptr;  // the scenes of a grid lie side by side and have one table
       for (const Choice& scene : scenes_) {
         if (scene.plugin != last) is_known = is_movable(scene, member, path) && is_known;
         last = scene.plugin;
       }
-      if (is_known) read_track(member, path);
+      if (is_known) read_track(member, path, is_added);
     }
   }
 
@@ -89,14 +98,14 @@ class FramesReader {
     return false;
   }
 
-  void read_track(const JsonMember& member, const std::string& path) {
+  void read_track(const JsonMember& member, const std::string& path, bool is_added) {
     const JsonNode& list = member.value;
     if (!list.is(JsonKind::list) || list.items.empty()) {
       return problem(list.place, path,
                      fmt::format("is {}; it takes keyframes such as {}",
                                  list.is(JsonKind::list) ? "an empty list" : shown(list), example()));
     }
-    Track track{member.key, {}};
+    Track track{member.key, {}, is_added};
     for (std::size_t i = 0; i < list.items.size(); ++i) read_key(list.items[i], item_path(path, i), track);
     if (track.keys.size() == list.items.size()) frames_.tracks.push_back(std::move(track));
   }
@@ -118,9 +127,21 @@ class FramesReader {
     for (const Choice& scene : scenes_) {
       const auto parameter = std::find_if(scene.table.begin(), scene.table.end(),
                                           [&](const Parameter& p) { return p.name == track.parameter; });
-      if (!read_value(node.items[1], item_path(path, 1), *parameter, scene.plugin->name, reading_)) return;
+      if (!is_allowed(node.items[1], item_path(path, 1), scene, *parameter, track.is_added)) return;
     }
     track.keys.push_back({static_cast<int>(frame), node.items[1].real});
+  }
+
+  // What is added must leave the sum within the parameter's range.
+  bool is_allowed(const JsonNode& node, const std::string& path, const Choice& scene, const Parameter& parameter,
+                  bool is_added) {
+    if (!is_added) return read_value(node, path, parameter, scene.plugin->name, reading_).has_value();
+    const double sum = settings_of(scene.table, scene.cells).real(parameter.name) + node.real;
+    if (sum >= parameter.smallest && sum <= parameter.largest) return true;
+    problem(node.place, path,
+            fmt::format("makes {} of \"{}\"; \"{}\" takes {} to {}", sum, parameter.name, scene.plugin->name,
+                        parameter.smallest, parameter.largest));
+    return false;
   }
 
   const std::vector<Choice>& scenes_;
@@ -135,13 +156,15 @@ Frames read_frames(const JsonNode* node, const std::vector<Choice>& scenes, cons
 }
 
 nlohmann::ordered_json written(const Frames& frames) {
-  nlohmann::ordered_json animate = nlohmann::ordered_json::object();
+  nlohmann::ordered_json animate = nlohmann::ordered_json::object(), move = animate;
   for (const Track& track : frames.tracks) {
-    for (const Keyframe& key : track.keys) animate[track.parameter].push_back({key.frame, key.value});
+    for (const Keyframe& key : track.keys)
+      (track.is_added ? move : animate)[track.parameter].push_back({key.frame, key.value});
   }
   return {{format::frame_count.name, frames.count},
           {format::still_frame.name, frames.still},
-          {format::animate_key, std::move(animate)}};
+          {format::animate_key, std::move(animate)},
+          {format::move_key, std::move(move)}};
 }
 
 }  // namespace moire

@@ -1,4 +1,5 @@
-// Reads "frames": {"count": 400, "animate": {"view.x": [[0, 0.0], [399, 199.5]]}}.
+// Reads "frames": {"count": 400, "animate": {"view.x": [[0, 0.0], [399, 199.5]]}}; "move" instead of "animate" adds to
+// every scene's own value.
 #pragma once
 
 #include <vector>

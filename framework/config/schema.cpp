@@ -149,10 +149,15 @@ Json frames_schema() {
   for (const Parameter& p : {format::frame_count, format::still_frame})
     schema["properties"][std::string(p.name)] = parameter_schema(p, false);
   const Json key = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
-  schema["properties"][std::string(format::animate_key)] = {
-      {"type", "object"},
-      {"description", "parameters of the scenes over time: keyframes [frame, value], straight in between"},
-      {"additionalProperties", {{"type", "array"}, {"items", key}, {"minItems", 1}}}};
+  for (const auto& [name, meaning] :
+       {std::pair{format::animate_key,
+                  "parameters of the scenes over time: keyframes [frame, value], straight in between"},
+        {format::move_key, "the same, added to each scene's own value"}}) {
+    schema["properties"][std::string(name)] = {
+        {"type", "object"},
+        {"description", meaning},
+        {"additionalProperties", {{"type", "array"}, {"items", key}, {"minItems", 1}}}};
+  }
   return schema;
 }
 

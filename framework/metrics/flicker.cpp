@@ -22,8 +22,9 @@ constexpr Parameter parameters[] = {
 constexpr std::string_view share_meaning =
     "share of pixels and pairs of consecutive frames; change: the largest of the channels, in 8-bit sRGB codes";
 
+// Not judged: what moves changes, and the reference does so too.
 constexpr Quantity share(std::string_view name, bool is_main = false) {
-  return {.name = name, .unit = "", .meaning = share_meaning, .is_judged = is_main, .is_main = is_main};
+  return {.name = name, .unit = "", .meaning = share_meaning, .is_judged = false, .is_main = is_main};
 }
 
 constexpr Quantity quantities[] = {
@@ -34,7 +35,10 @@ constexpr Quantity quantities[] = {
     share("flicker.changed_by_4"),
     share("flicker.changed_by_5"),
     share("flicker.changed_by_6_up", true),
-    {.name = "flicker.mean", .unit = "codes", .meaning = "mean change; the motion itself counts too"},
+    {.name = "flicker.mean",
+     .unit = "codes",
+     .meaning = "mean change; the motion itself counts too",
+     .is_judged = false},
     {.name = "flicker.excess",
      .unit = "codes",
      .meaning = "mean over pixels and pairs of frames of |dI - dR|, dI the change of the pixel and dR that of the "

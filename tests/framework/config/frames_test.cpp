@@ -2,6 +2,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include "config/frames_reader.h"
 #include "experiment_folder.h"
 #include "vocabulary.h"
 
@@ -16,7 +17,7 @@ std::string problems(const std::string& frames, const std::string& scenes = R"([
 }  // namespace
 
 TEST_CASE("a track is straight between its keyframes and constant outside") {
-  const Track track{"view.x", {{2, -1}, {6, 7}, {7, 100}, {17, 95}}};
+  const Track track{"view.x", {{2, -1}, {6, 7}, {7, 100}, {17, 95}}, false};
   CHECK(track.at(0) == -1);
   CHECK(track.at(2) == -1);
   CHECK(track.at(3) == 1);
@@ -29,7 +30,7 @@ TEST_CASE("a track is straight between its keyframes and constant outside") {
 }
 
 TEST_CASE("a track of one keyframe is constant") {
-  const Track track{"view.x", {{3, 0.1}}};
+  const Track track{"view.x", {{3, 0.1}}, false};
   for (const int frame : {0, 2, 3, 4, 99}) CHECK(track.at(frame) == 0.1);
 }
 
@@ -37,12 +38,30 @@ TEST_CASE("a frame's settings are the scene's own, but for the tracks") {
   static constexpr Parameter table[] = {parameter::real("view.x", 1, -100, 100, "", "").per_frame(),
                                         parameter::real("view.y", 2, -100, 100, "", "").per_frame(),
                                         parameter::integer("size", 3, 0, 9, "", "")};
-  const Frames frames{10, 0, {{"view.x", {{0, 10}, {9, 19}}}}};
+  const Frames frames{10, 0, {{"view.x", {{0, 10}, {9, 19}}}, {"view.y", {{0, 0}, {9, -18}}, true}}};
   Settings expected(table);
   for (int frame = 0; frame < 10; ++frame) {
     expected.set("view.x", 10.0 + frame);
+    expected.set("view.y", 2.0 - 2 * frame);  // added to the scene's own 2
     CHECK(settings_at(Settings(table), frames, frame) == expected);
   }
+}
+
+TEST_CASE("what is added is read and written apart, and its sum with each scene's own value is in range") {
+  const std::string scenes = R"([{"type": "heightfield", "view": {"pitch_deg": [-20, 80]}}])";
+  const Frames frames =
+      ExperimentFolder()
+          .read(experiment_with(
+              {R"("scenes": )" + scenes, R"("frames": {"count": 5, "move": {"view.pitch_deg": [[0, 0], [4, 10]]}})"}))
+          .frames;
+  REQUIRE(frames.tracks.size() == 1);
+  CHECK(frames.tracks[0].is_added);
+  CHECK(written(frames).dump() == R"({"count":5,"still":0,"animate":{},"move":{"view.pitch_deg":[[0,0.0],[4,10.0]]}})");
+  CHECK(problems(R"({"count": 5, "move": {"view.pitch_deg": [[0, 0], [4, 11]]}})", scenes) ==
+        "edges/experiment.json:6: frames.move.view.pitch_deg[1][1]: makes 91 of \"view.pitch_deg\"; "
+        "\"heightfield\" takes -90 to 90");
+  CHECK(problems(R"({"animate": {"view.pitch_deg": [[0, 0]]}, "move": {"view.pitch_deg": [[0, 1]]}})") ==
+        "edges/experiment.json:6: frames.move.view.pitch_deg: is animated already; one of the two would do");
 }
 
 TEST_CASE("an experiment that says nothing of frames has one, and nothing moves") {
@@ -74,13 +93,14 @@ TEST_CASE("frames are read as they are written") {
 }
 
 TEST_CASE("frames are an object of known keys") {
-  CHECK(problems("400") == "edges/experiment.json:6: frames: is 400; it takes an object with count, still, animate");
+  CHECK(problems("400") ==
+        "edges/experiment.json:6: frames: is 400; it takes an object with count, still, animate, move");
   CHECK(problems(R"({"cuont": 3, "stills": 0, "rate": 25})") ==
         "edges/experiment.json:6: frames.cuont: unknown key; did you mean \"count\"? frames take count, still, "
-        "animate\n"
+        "animate, move\n"
         "edges/experiment.json:6: frames.stills: unknown key; did you mean \"still\"? frames take count, still, "
-        "animate\n"
-        "edges/experiment.json:6: frames.rate: unknown key; frames take count, still, animate");
+        "animate, move\n"
+        "edges/experiment.json:6: frames.rate: unknown key; frames take count, still, animate, move");
 }
 
 TEST_CASE("a wrong count is said once: what is within the largest count is not held against it") {

@@ -149,7 +149,8 @@ TEST_CASE("the request has every default filled in and every grid spread out") {
  "frames": {
   "count": 1,
   "still": 0,
-  "animate": {}
+  "animate": {},
+  "move": {}
  },
  "metrics": [
   {
