@@ -31,7 +31,7 @@ struct PassDescription {
   std::string_view summary;  // one sentence
   std::string_view source;   // paper and section, or empty
   std::span<const Parameter> parameters;
-  std::span<const Quantity> quantities = {};  // of a metric
+  std::span<const Quantity> quantities = {};     // of a metric
   std::span<const std::string_view> basis = {};  // passes that must be there too: it works on their rows
   // What a scene must answer for this pass, beside what its samplers ask.
   Questions (*asks)(const Settings&) = [](const Settings&) { return Questions::none; };
