@@ -1,0 +1,27 @@
+// Experiments that nobody runs in a test can at least be read: names, settings, files, and pairs that fit.
+#include <catch2/catch_test_macros.hpp>
+#include <cstdlib>
+#include <filesystem>
+
+#include "config/experiment.h"
+#include "metrics/registry.h"
+#include "pictures/registry.h"
+#include "sampling/lookups.h"
+#include "support/plugins.h"
+
+namespace moire {
+
+TEST_CASE("every experiment of the tree is without a fault, and has a README beside it") {
+  if (!std::getenv("MOIRE_DATA")) SKIP("MOIRE_DATA is not set; experiments name files of the data folder");
+  const Vocabulary vocabulary{&test::catalog(), metric_descriptions(), lookups(), picture_descriptions()};
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MOIRE_SOURCES "/experiments")) {
+    CAPTURE(entry.path());
+    CHECK_NOTHROW(read_experiment(entry.path(), vocabulary, {}));
+    CHECK(std::filesystem::exists(entry.path() / "README.md"));
+    ++found;
+  }
+  CHECK(found >= 7);
+}
+
+}  // namespace moire
