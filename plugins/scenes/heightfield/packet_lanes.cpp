@@ -15,199 +15,13 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#include "packet_cells.h"
+#include "packet_rows.h"
+#include "packet_vectors.h"
+
 HWY_BEFORE_NAMESPACE();
 
 namespace heightfield::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, 8>;
-constexpr D d;
-constexpr std::size_t lanes = hn::MaxLanes(d);
-using I = hn::Rebind<std::int32_t, D>;
-using W = hn::Rebind<std::int64_t, D>;
-using Real = hn::Vec<D>;
-using Int = hn::Vec<I>;
-using Mask = hn::Mask<D>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-HWY_INLINE Real real(double value) { return hn::Set(d, value); }
-// Of the same bits as std::max and std::min: which of two equal ones is taken matters for signs of zero.
-HWY_INLINE Real larger(Real a, Real b) { return hn::Max(b, a); }
-HWY_INLINE Real smaller(Real a, Real b) { return hn::Min(b, a); }
-
-template <class Body>
-HWY_INLINE void for_each_lane(Mask mask, Body body) {
-  std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, mask, bytes.data());
-  for (unsigned left = bytes[0]; left != 0; left &= left - 1) body(static_cast<std::size_t>(__builtin_ctz(left)));
-}
-
-struct Cells {
-  Real height, r, g, b;
-};
-
-// Rows of four floats to columns.
-struct Columns {
-  hn::Vec<hn::Full128<float>> height, r, g, b;
-};
-HWY_INLINE Columns four_cells(const Cell* const* cells) {
-  constexpr hn::Full128<float> f;
-  const auto load = [&](int k) HWY_ATTR { return hn::LoadU(f, &cells[k]->height); };
-  const auto c0 = load(0), c1 = load(1), c2 = load(2), c3 = load(3);
-  const auto low01 = hn::InterleaveLower(f, c0, c1), low23 = hn::InterleaveLower(f, c2, c3);
-  const auto high01 = hn::InterleaveUpper(f, c0, c1), high23 = hn::InterleaveUpper(f, c2, c3);
-  const hn::Full128<double> pair;
-  const auto lower = [&](auto a, auto b) HWY_ATTR {
-    return hn::BitCast(f, hn::InterleaveLower(pair, hn::BitCast(pair, a), hn::BitCast(pair, b)));
-  };
-  const auto upper = [&](auto a, auto b) HWY_ATTR {
-    return hn::BitCast(f, hn::InterleaveUpper(pair, hn::BitCast(pair, a), hn::BitCast(pair, b)));
-  };
-  return {lower(low01, low23), upper(low01, low23), lower(high01, high23), upper(high01, high23)};
-}
-
-template <class Tag>
-HWY_INLINE Cells load_cells(Tag tag, const Cell* const* cells) {
-  constexpr hn::Rebind<float, Tag> f;
-  if constexpr (hn::MaxLanes(tag) == 2) {
-    const std::array<const Cell*, 4> twice{cells[0], cells[1], cells[0], cells[1]};
-    const Columns c = four_cells(twice.data());
-    const auto promoted = [&](auto v) HWY_ATTR { return hn::PromoteTo(tag, hn::LowerHalf(f, v)); };
-    return {promoted(c.height), promoted(c.r), promoted(c.g), promoted(c.b)};
-  } else if constexpr (hn::MaxLanes(tag) == 4) {
-    const Columns c = four_cells(cells);
-    return {hn::PromoteTo(tag, c.height), hn::PromoteTo(tag, c.r), hn::PromoteTo(tag, c.g), hn::PromoteTo(tag, c.b)};
-  } else {
-    const Columns a = four_cells(cells), b = four_cells(cells + 4);
-    const auto promoted = [&](auto low, auto high) HWY_ATTR { return hn::PromoteTo(tag, hn::Combine(f, high, low)); };
-    return {promoted(a.height, b.height), promoted(a.r, b.r), promoted(a.g, b.g), promoted(a.b, b.b)};
-  }
-}
-
-// What the rows of each lane are walked with: row after row, lane after lane; the last row ends it.
-struct Row {
-  double m, first_slope, last_slope, end;
-};
-
-class Rows {
- public:
-  // Marks lines of which a row lies in another octant or falls along the line.
-  void prepare(const PacketTask& task, std::span<PacketLine> lines);
-
-  std::size_t count() const { return count_; }
-  const Row* data() const { return rows_.data(); }
-  // The most by which m changes from a row to the next, in any lane.
-  double largest_turn() const { return largest_turn_; }
-
- private:
-  std::size_t count_ = 0;
-  double largest_turn_ = 0;
-  std::vector<Row> rows_;
-};
-
-// A row of each lane, field by field.
-template <class Vector>
-struct RowFields {
-  Vector m, first_slope, last_slope, end;
-};
-template <class Tag>
-HWY_INLINE RowFields<hn::Vec<Tag>> load_rows(Tag tag, const Row* const* rows) {
-  using V = hn::Vec<Tag>;
-  if constexpr (hn::MaxLanes(tag) == 2) {
-    const V front0 = hn::LoadU(tag, &rows[0]->m), front1 = hn::LoadU(tag, &rows[1]->m);
-    const V back0 = hn::LoadU(tag, &rows[0]->last_slope), back1 = hn::LoadU(tag, &rows[1]->last_slope);
-    return {hn::InterleaveLower(tag, front0, front1), hn::InterleaveUpper(tag, front0, front1),
-            hn::InterleaveLower(tag, back0, back1), hn::InterleaveUpper(tag, back0, back1)};
-  } else if constexpr (hn::MaxLanes(tag) == 4) {
-    const V r0 = hn::LoadU(tag, &rows[0]->m), r1 = hn::LoadU(tag, &rows[1]->m);
-    const V r2 = hn::LoadU(tag, &rows[2]->m), r3 = hn::LoadU(tag, &rows[3]->m);
-    const V even01 = hn::InterleaveLower(tag, r0, r1), even23 = hn::InterleaveLower(tag, r2, r3);
-    const V odd01 = hn::InterleaveUpper(tag, r0, r1), odd23 = hn::InterleaveUpper(tag, r2, r3);
-    return {hn::ConcatLowerLower(tag, even23, even01), hn::ConcatLowerLower(tag, odd23, odd01),
-            hn::ConcatUpperUpper(tag, even23, even01), hn::ConcatUpperUpper(tag, odd23, odd01)};
-  } else {
-    constexpr hn::Half<Tag> half;
-    const auto a = load_rows(half, rows), b = load_rows(half, rows + 4);
-    return {hn::Combine(tag, b.m, a.m), hn::Combine(tag, b.first_slope, a.first_slope),
-            hn::Combine(tag, b.last_slope, a.last_slope), hn::Combine(tag, b.end, a.end)};
-  }
-}
-
-struct Rays {
-  std::array<double, lanes> x{}, y{}, z{}, plane_x{}, plane_y{}, own_plane{};
-
-  explicit Rays(std::span<const PacketLine> lines) {
-    for (std::size_t k = 0; k < lanes; ++k) {
-      const PacketLine& line = lines[std::min(k, lines.size() - 1)];
-      x[k] = line.start.x, y[k] = line.start.y, z[k] = line.start.z;
-      plane_x[k] = line.plane_ray.x, plane_y[k] = line.plane_ray.y;
-      own_plane[k] = line.one_plane ? 0 : 1;
-    }
-  }
-};
-
-HWY_INLINE Real along(const Plane& octant, Real x, Real y) {
-  const Real p = octant.swapped ? y : x;
-  return octant.flip_p ? hn::Neg(p) : p;
-}
-
-HWY_INLINE void Rows::prepare(const PacketTask& task, std::span<PacketLine> lines) {
-  const Rays rays(lines);
-  const Plane& octant = task.octant;
-  const Real x = hn::LoadU(d, rays.x.data()), y = hn::LoadU(d, rays.y.data()), z = hn::LoadU(d, rays.z.data());
-  const Real plane_x = hn::LoadU(d, rays.plane_x.data()), plane_y = hn::LoadU(d, rays.plane_y.data());
-  const Mask own_plane = hn::Gt(hn::LoadU(d, rays.own_plane.data()), hn::Zero(d));
-  const Real step_x = real(task.step.x), step_y = real(task.step.y), step_z = real(task.step.z);
-  const Real p0 = along(octant, x, y), p1 = along(octant, step_x, step_y);
-  const Real zero = hn::Zero(d);
-  Mask fits = hn::Eq(zero, zero);
-
-  count_ = task.cuts.size() - 1;
-  rows_.resize((count_ + 1) * lanes);
-  Real last_m = zero, largest_turn = zero;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Real t0 = real(task.cuts[i]), t1 = real(task.cuts[i + 1]),
-               middle = real((task.cuts[i] + task.cuts[i + 1]) / 2);
-    const Real ray_x = hn::Add(x, hn::Mul(middle, step_x)), ray_y = hn::Add(y, hn::Mul(middle, step_y));
-    const Real ray_z = hn::Add(z, hn::Mul(middle, step_z));
-    const Real of_plane_x = hn::IfThenElse(own_plane, ray_x, plane_x);
-    const Real of_plane_y = hn::IfThenElse(own_plane, ray_y, plane_y);
-    const Real width_x = hn::Abs(of_plane_x), width_y = hn::Abs(of_plane_y);
-    const Real minor = smaller(width_x, width_y), major = larger(width_x, width_y);
-    const auto slope_at = [&](Real t) HWY_ATTR {
-      const Real advance = larger(hn::Add(p0, hn::Mul(t, p1)), real(least_advance));
-      return hn::Div(hn::Add(z, hn::Mul(t, step_z)), advance);
-    };
-    const Real s0 = slope_at(t0), s1 = slope_at(t1);
-
-    const Real p = octant.swapped ? of_plane_y : of_plane_x, q = octant.swapped ? of_plane_x : of_plane_y;
-    const Mask same_axis = octant.swapped ? hn::Gt(width_y, width_x) : hn::Not(hn::Gt(width_y, width_x));
-    const Mask same_p = octant.flip_p ? hn::Lt(p, zero) : hn::Not(hn::Lt(p, zero));
-    const Mask same_q = octant.flip_q ? hn::Lt(q, zero) : hn::Not(hn::Lt(q, zero));
-    fits = hn::And(fits, hn::And(hn::And(same_axis, hn::Gt(major, zero)), hn::And(same_p, same_q)));
-    // Rises along the line, on this side of the nadir; and not so level that places on the texture can not be told.
-    fits = hn::And(fits, hn::And(hn::Le(s0, s1), hn::Ge(along(octant, ray_x, ray_y), zero)));
-    if (task.interpolation != Interpolation::nearest) {
-      fits = hn::And(fits, hn::Ge(hn::Abs(ray_z), real(1e-12)));
-    }
-    const Real m = hn::Div(minor, major);
-    if (i > 0) largest_turn = hn::Max(largest_turn, hn::Abs(hn::Sub(m, last_m)));
-    last_m = m;
-    hn::StoreInterleaved4(m, s0, s1, t1, d, &rows_[i * lanes].m);
-  }
-  largest_turn_ = hn::GetLane(hn::MaxOfLanes(d, largest_turn));
-  // Beyond the last row, in the same plane, nothing is higher than the ray, nor is the ray above the horizon.
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t k = 0; k < lanes; ++k) {
-    rows_[count_ * lanes + k] = {rows_[(count_ - 1) * lanes + k].m, nothing, nothing, nothing};
-  }
-
-  for_each_lane(hn::Not(fits), [&](std::size_t k) {
-    if (k < lines.size()) lines[k].fits = false;
-  });
-}
 
 // `index` or, where that lies without 0 .. period - 1, the one a period away.
 HWY_INLINE Int wrapped_down(Int index, Int period) {
@@ -223,27 +37,12 @@ HWY_INLINE Int folded(Int index, Int period) {
   return hn::Min(index, hn::Sub(hn::Sub(period, hn::Set(I(), 1)), index));
 }
 
-template <class V, class T>
-HWY_INLINE void set_lane(V& vector, std::size_t k, T value) {
-  const hn::DFromV<V> tag;
-  alignas(64) std::array<hn::TFromV<V>, lanes> values;
-  hn::StoreU(vector, tag, values.data());
-  values[k] = static_cast<hn::TFromV<V>>(value);
-  vector = hn::LoadU(tag, values.data());
-}
-template <class V>
-HWY_INLINE auto lane(V vector, std::size_t k) {
-  const hn::DFromV<V> tag;
-  alignas(64) std::array<hn::TFromV<V>, lanes> values;
-  hn::StoreU(vector, tag, values.data());
-  return values[k];
-}
-
 // Lanes side by side.
 template <Interpolation interpolation>
 class Packet {
  public:
-  void begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines);
+  // False if none of the lines fits.
+  bool begin(const PacketTask& task, const Rows& rows, std::span<const PacketLine> lines);
   // Walks until the last row of every lane is seen.
   void walk();
   // Hands over what the rows have seen.
@@ -299,13 +98,12 @@ class Packet {
   const PacketTask* task_ = nullptr;
   const Row* rows_ = nullptr;
   std::vector<moire::Tally::Sum> sums_;  // row after row, lane after lane
+  bool unhit_ = true;                    // some lane has seen no voxel in the rows behind it
   bool turns_far_ = false;               // a row's first voxel may lie a mirror period aside of the last one's, or more
   std::size_t row_count_ = 0;
   std::span<const PacketLine> lines_;
   bool swapped_ = false;
   double z_ = 0, eye_p_ = 0;
-  std::int64_t shift_q_ = 0;
-  bool walking_ = false;
   std::ptrdiff_t ahead_ = 0;  // from a cell to the one some steps ahead, as far as the first lane can tell
   State state_{};
 
@@ -313,7 +111,8 @@ class Packet {
   hn::Vec<W> place_;  // of the lane's row in rows_ and sums_
   // Of the leg.
   Real live_, end_, stop_, eye_q_, width_, half_width_, inverse_width_, end_of_level_, sure_end_, step_place_;
-  Real first_hit_, line_p0_, line_z_;
+  Real shift_q_, inset_;  // what was taken away from eye_q_, and what a place in a voxel keeps off its sides
+  Real first_hit_, line_p0_, line_p1_, line_z_, line_dz_;
   Int period_p_, period_q_, row_width_;
   std::array<const Cell*, lanes> cells_{};
   std::array<const Summits*, lanes> summits_{};
@@ -321,7 +120,7 @@ class Packet {
 };
 
 template <Interpolation interpolation>
-HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows& rows,
+HWY_INLINE bool Packet<interpolation>::begin(const PacketTask& task, const Rows& rows,
                                              std::span<const PacketLine> lines) {
   task_ = &task;
   rows_ = rows.data();
@@ -332,6 +131,7 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   z_ = task.view.z;
   State& state = state_;
   state.hits = 0;
+  unhit_ = true;
   const Voxels::Level& finest = task.view.voxels->level(0);
   const double reach = task.view.far / std::min(task.view.spacing_x, task.view.spacing_y);
   const int period_q = swapped_ ? finest.column_period() : finest.row_period();
@@ -342,7 +142,9 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   first_hit_ = state.last_hit = real(-infinity);
   const Rays rays(lines);
   line_p0_ = along(task.octant, hn::LoadU(d, rays.x.data()), hn::LoadU(d, rays.y.data()));
+  line_p1_ = along(task.octant, real(task.step.x), real(task.step.y));
   line_z_ = hn::LoadU(d, rays.z.data());
+  line_dz_ = real(task.step.z);
 
   std::array<double, lanes> live{};
   std::array<std::int64_t, lanes> places{};
@@ -353,8 +155,7 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
   }
   live_ = hn::LoadU(d, live.data());
   place_ = hn::LoadU(W(), places.data());
-  walking_ = std::find(live.begin(), live.end(), 1) != live.end();
-  if (!walking_) return;
+  if (std::find(live.begin(), live.end(), 1) == live.end()) return false;
   state.at = real(task.cuts[0]);
   const auto row = row_fields();
   state.m = row.m;
@@ -374,9 +175,7 @@ HWY_INLINE void Packet<interpolation>::begin(const PacketTask& task, const Rows&
     walks_.back().start(plane, rows_[like].first_slope);
     load_leg(state, k);
   }
-  end_ = hn::IfThenElse(hn::Ge(state.slope, zero), real(-infinity), end_);
-  end_ = hn::IfThenElse(hn::Gt(live_, zero), end_, real(infinity));
-  look_ahead(state);
+  return true;
 }
 
 template <Interpolation interpolation>
@@ -386,11 +185,12 @@ void Packet<interpolation>::walk() {
   const bool skips = task_->view.skip != Skip::nowhere;
   const Real patience = real(static_cast<double>(task_->view.patience()));
   State state = state_;
-  while (walking_) {
+  while (!hn::AllTrue(d, hn::IsNaN(state.slope))) {
+    look_ahead(state);
     for (int k = 0; k < steps_between; ++k) step(state);
     if (!skips) continue;
-    const Mask live = hn::Gt(live_, hn::Zero(d));
-    const Mask waiting = hn::And(live, hn::Gt(hn::Sub(state.p, state.last_hit), patience));
+    const Mask sinks = hn::Lt(state.slope, hn::Zero(d));
+    const Mask waiting = hn::And(sinks, hn::Gt(hn::Sub(state.p, state.last_hit), patience));
     if (HWY_LIKELY(hn::AllFalse(d, waiting))) continue;
     State behind = state;
     pass_hidden(behind, waiting);
@@ -418,7 +218,6 @@ HWY_NOINLINE void Packet<interpolation>::load_leg(State& state, std::size_t k) {
   const Voxels::Level& level = task_->view.voxels->level(leg.level);
   const double inverse_width = std::ldexp(1.0, -leg.level);
   eye_p_ = leg.eye_p;
-  shift_q_ = leg.shift_q;
   set_lane(state.p, k, leg.p);
   set_lane(end_, k, leg.end);
   set_lane(end_of_level_, k, leg.end_of_level);
@@ -429,6 +228,8 @@ HWY_NOINLINE void Packet<interpolation>::load_leg(State& state, std::size_t k) {
   set_lane(width_, k, std::ldexp(1.0, leg.level));
   set_lane(half_width_, k, std::ldexp(0.5, leg.level));
   set_lane(inverse_width_, k, inverse_width);
+  set_lane(inset_, k, lane(width_, k) * 1e-9);
+  set_lane(shift_q_, k, static_cast<double>(leg.shift_q) * inverse_width);
   set_lane(eye_q_, k, leg.eye_q * inverse_width);
   set_lane(state.scaled_m, k, lane(state.m, k) * inverse_width);
   const int period_p = swapped_ ? level.row_period() : level.column_period();
@@ -517,14 +318,17 @@ HWY_INLINE void Packet<interpolation>::end_rows(State& state, Mask ended) {
   state.r = hn::IfThenZeroElse(ended, state.r);
   state.g = hn::IfThenZeroElse(ended, state.g);
   state.b = hn::IfThenZeroElse(ended, state.b);
-  const Mask unhit = hn::Lt(first_hit_, hn::Zero(d));
-  first_hit_ = hn::IfThenElse(hn::And(ended, unhit), hn::Add(state.last_hit, step_place_), first_hit_);
+  if (unhit_) {
+    const Mask unhit = hn::Lt(first_hit_, hn::Zero(d));
+    first_hit_ = hn::IfThenElse(hn::And(ended, unhit), hn::Add(state.last_hit, step_place_), first_hit_);
+    unhit_ = !hn::AllFalse(d, hn::Lt(first_hit_, hn::Zero(d)));
+  }
 
   place_ = hn::Add(place_, hn::IfThenElseZero(hn::RebindMask(W(), ended), hn::Set(W(), lanes)));
   const auto row = row_fields();
   const Real m = row.m;
-  state.at = hn::IfThenElse(ended, state.end_at, state.at);
   state.slope = hn::IfThenElse(ended, row.first_slope, state.slope);
+  live_ = hn::IfThenZeroElse(hn::IsNaN(state.slope), live_);
   state.last_slope = row.last_slope;
   state.end_at = row.end;
   const Mask near_limit = hn::And(hn::And(ended, hn::Lt(stop_, real(infinity))), hn::Ne(m, state.m));
@@ -536,13 +340,6 @@ HWY_INLINE void Packet<interpolation>::end_rows(State& state, Mask ended) {
     if (turns_far_) count_laps(moved);
     state = moved;
   }
-
-  // Above the horizon no terrain is left. Beyond the last row the slope is no number.
-  const Mask above = hn::Ge(state.slope, hn::Zero(d)), over = hn::IsNaN(state.slope);
-  end_ = hn::IfThenElse(above, real(-infinity), hn::IfThenElse(over, real(infinity), end_));
-  live_ = hn::IfThenZeroElse(over, live_);
-  walking_ = !hn::AllTrue(d, over);
-  look_ahead(state);
 }
 
 // Lets lanes that stand at the end of their leg enter the next one, and gives the sky its due in those that see no more
@@ -552,7 +349,10 @@ HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
   const Real zero = hn::Zero(d);
   bool turned = false;
   for (;;) {
-    const Mask at_end = hn::Ge(state.p, end_), above = hn::Ge(state.slope, zero);
+    // Above the horizon no terrain is left. Beyond the last row the slope is no number.
+    const Mask above = hn::Ge(state.slope, zero);
+    end_ = hn::IfThenElse(hn::IsNaN(state.slope), real(infinity), end_);
+    const Mask at_end = hn::Ge(state.p, end_);
     Mask sky = hn::Or(above, hn::And(at_end, hn::And(hn::Lt(stop_, real(infinity)), hn::Lt(end_, end_of_level_))));
     const Mask leg_ends = hn::AndNot(sky, at_end);
     if (hn::AllFalse(d, leg_ends) && hn::AllFalse(d, sky)) break;
@@ -565,7 +365,9 @@ HWY_NOINLINE void Packet<interpolation>::pass_over(State& state) {
     });
     sky = hn::Or(sky, hn::And(leg_ends, hn::Ge(state.p, end_)));
     if (hn::AllFalse(d, sky)) continue;
-    const Real weight = hn::Sub(hn::IfThenElse(sky, state.end_at, state.at), state.at);
+    const Real until = hn::IfThenElse(sky, state.end_at, state.at);
+    const Real weight = hn::Sub(until, state.at);
+    state.at = until;
     add(state, weight, real(task_->sky.r), real(task_->sky.g), real(task_->sky.b));
     end_rows(state, sky);
     turned = true;
@@ -586,10 +388,10 @@ HWY_INLINE void Packet<interpolation>::deposit(State& state, Real weight, const 
     const Real middle = hn::Div(hn::Add(x0, x1), real(2));
     const Real aside = hn::Mul(middle, state.m);
     const Real eye = real(swapped_ ? task_->view.x : task_->view.y);
-    const Real unreduced = hn::Add(q, hn::Mul(real(static_cast<double>(shift_q_)), inverse_width_));
+    const Real unreduced = hn::Add(q, shift_q_);
     const Real texel = flip ? hn::Sub(real(-1), unreduced) : unreduced;
-    const Real low = hn::Mul(texel, width_), inset = hn::Mul(width_, real(1e-9));
-    const Real first = hn::Add(low, inset), last = hn::Sub(hn::Add(low, width_), inset);
+    const Real low = hn::Mul(texel, width_);
+    const Real first = hn::Add(low, inset_), last = hn::Sub(hn::Add(low, width_), inset_);
     const Real place = smaller(larger(hn::Add(eye, flip ? hn::Neg(aside) : aside), first), last);
     // moire::LinearAcross: between the middles of two texels.
     const Real between = hn::Sub(hn::Mul(place, inverse_width_), real(0.5));
@@ -617,7 +419,7 @@ HWY_INLINE void Packet<interpolation>::deposit(State& state, Real weight, const 
 template <Interpolation interpolation>
 HWY_INLINE void Packet<interpolation>::step(State& state) {
   const Real zero = hn::Zero(d);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Ge(state.p, end_)))) {
+  if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Or(hn::Ge(state.p, end_), hn::Ge(state.slope, zero))))) {
     State passed = state;
     pass_over(passed);
     state = passed;
@@ -649,9 +451,8 @@ HWY_INLINE void Packet<interpolation>::step(State& state) {
   const Mask ends = hn::And(met, hn::Ge(top, hn::Mul(state.last_slope, x1)));
   state.hits += hn::CountTrue(d, met);
   // The image of the far edge of the box's top.
-  const Real p1 = along(task_->octant, real(task_->step.x), real(task_->step.y));
   const Real edge = hn::Div(hn::Sub(hn::Mul(top, line_p0_), hn::Mul(line_z_, x1)),
-                            hn::Sub(hn::Mul(real(task_->step.z), x1), hn::Mul(top, p1)));
+                            hn::Sub(hn::Mul(line_dz_, x1), hn::Mul(top, line_p1_)));
   Real until = smaller(larger(edge, state.at), state.end_at);
   until = hn::IfThenElse(met, hn::IfThenElse(ends, state.end_at, until), state.at);
   deposit(state, hn::Sub(until, state.at), cell, p, hn::Trunc(q), x1);
@@ -671,10 +472,21 @@ template <Interpolation interpolation>
 HWY_INLINE void Packet<interpolation>::finish(moire::Tally& pieces) const {
   const moire::Tally::Adder<false> add(pieces);
   pieces.counters.hits += state_.hits;
+  std::array<std::size_t, lanes> slots{};
+  std::array<std::size_t, lanes> fitting{};
+  std::size_t count = 0;
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     if (!lines_[k].fits) continue;
-    for (std::size_t i = 0; i < row_count_; ++i) add.sum(lines_[k].first_slot + i, sums_[i * lanes + k]);
-    pieces.counters.queries += row_count_;
+    slots[count] = lines_[k].first_slot;
+    fitting[count++] = k;
+  }
+  // Sums lie row by row.
+  for (std::size_t i = 0; i < row_count_; ++i) {
+    for (std::size_t n = 0; n < count; ++n) add.sum(slots[n] + i, sums_[i * lanes + fitting[n]]);
+  }
+  pieces.counters.queries += row_count_ * count;
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t k = fitting[n];
     const double first = lane(first_hit_, k), last = lane(hn::Add(state_.last_hit, step_place_), k);
     if (first >= 0) pieces.counters.steps += 1 + static_cast<std::uint64_t>(last - first);
   }
@@ -687,7 +499,7 @@ HWY_INLINE void follow_as(const PacketTask& task, std::span<PacketLine> lines, m
   for (std::size_t first = 0; first < lines.size(); first += lanes) {
     const std::span<PacketLine> some = lines.subspan(first, std::min(lanes, lines.size() - first));
     rows.prepare(task, some);
-    packet.begin(task, rows, some);
+    if (!packet.begin(task, rows, some)) continue;
     packet.walk();
     packet.finish(pieces);
   }
