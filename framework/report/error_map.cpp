@@ -1,6 +1,8 @@
 // The colours of error maps: one definition for the pictures that a run writes and for the scale that a report shows.
 #include "report/error_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,6 +59,11 @@ Color signed_error_color(double value, double scale) {
   if (std::isnan(value)) return not_a_number;
   const double t = std::min(std::abs(value) / scale, 1.0);
   return linear_light(value < 0 ? along(below_zero_path, t) : along(above_zero_path, t));
+}
+
+std::string css_color(Color color) {
+  const auto code = [](float light) { return static_cast<int>(std::lround(255 * linear_to_srgb(light))); };
+  return fmt::format("#{:02x}{:02x}{:02x}", code(color.r), code(color.g), code(color.b));
 }
 
 }  // namespace moire::report

@@ -5,6 +5,8 @@
 // below zero and to red above.
 #pragma once
 
+#include <string>
+
 #include <moire/color.h>
 
 namespace moire::report {
@@ -13,5 +15,8 @@ namespace moire::report {
 // which neither map has. Requires: scale > 0.
 Color absolute_error_color(double value, double scale);
 Color signed_error_color(double value, double scale);
+
+// "#3fa0ff".
+std::string css_color(Color color);
 
 }  // namespace moire::report

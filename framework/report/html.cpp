@@ -8,6 +8,7 @@
 
 #include "files/whole_file.h"
 #include "report/flattened.h"
+#include "report/html_histogram.h"
 #include "report/html_pictures.h"
 #include "report/html_table.h"
 #include "report/numbers.h"
@@ -168,7 +169,8 @@ Markup scene_section(const ReportData& data, std::size_t index) {
   if (has_images(view))
     content += side_by_side(data, view) + magnified(data, view) + one_over_the_other(data, view, index);
   for (const PictureRow& row : view.other_rows) content += picture_row(data, row);
-  content += speed_against_error(view) + numbers(data.results, view);
+  content += speed_against_error(view) + change_histogram(data.results, view.table, view.scene.name) +
+             numbers(data.results, view);
   content += details("Scene: " + view.scene.type + " " + view.scene.version,
                      tag("p", view.scene.summary) + name_value_table("Settings", flattened(view.scene.settings)));
   return section(scene_anchor(index), view.scene.name, content);

@@ -79,11 +79,6 @@ Markup window_frame(const SceneView& view) {
              "");
 }
 
-std::string css_color(Color color) {
-  const auto code = [](float light) { return static_cast<int>(std::lround(255 * linear_to_srgb(light))); };
-  return fmt::format("#{:02x}{:02x}{:02x}", code(color.r), code(color.g), code(color.b));
-}
-
 bool is_signed(const PictureRow& row) { return row.kind == "error_signed"; }
 
 // A ramp of the map's own colours, near enough to each other for a browser to fill in.

@@ -82,6 +82,26 @@ TEST_CASE("what comes from data is shown as text") {
   CHECK_FALSE(contains(page, "<oops>"));
 }
 
+TEST_CASE("changes from frame to frame are bars whose parts are as wide as their shares") {
+  Results results = test::sample_results();
+  const std::string scene = results.scenes[0].name;
+  const auto add = [&](const char* sampler, const char* metric, double share) {
+    results.rows.push_back({.scene = scene, .sampler = sampler, .metric = metric, .value = share, .unit = ""});
+  };
+  add("point", "flicker.changed_by_0", 0.25);
+  add("point", "flicker.changed_by_6_up", 0.75);
+  add("reference", "flicker.changed_by_0", 1);
+  add("reference", "flicker.changed_by_6_up", 0);
+  const std::string page = ResultFolder(results).page();
+  CHECK(contains(page, "<h3>Changes from frame to frame</h3>"));
+  CHECK(count(page, "class=\"shares\"") == 2);
+  CHECK(contains(page, "style=\"width:25.000%;background:"));
+  CHECK(contains(page, "style=\"width:75.000%;background:"));
+  CHECK(contains(page, "style=\"width:100.000%;background:"));
+  CHECK(contains(page, "title=\"6 and more: 0.750\""));
+  CHECK_FALSE(contains(ResultFolder().page(), "Changes from frame to frame"));
+}
+
 TEST_CASE("an analysis shows its statements and its numbers") {
   const std::string page = ResultFolder().page();
   CHECK(contains(page, "<h2>Cost &lt;model&gt;</h2>"));
