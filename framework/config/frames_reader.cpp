@@ -67,9 +67,18 @@ class FramesReader {
       return problem(tracks.place, where,
                      fmt::format("is {}; it takes an object such as {{\"view.x\": {}}}", shown(tracks), example()));
     }
+    read_members(tracks, where, "", is_added);
+  }
+
+  // Those that stand under `prefix`: "view.x" may be written as a member of "view".
+  void read_members(const JsonNode& tracks, const std::string& where, const std::string& prefix, bool is_added) {
     for (const JsonMember& member : tracks.members) {
-      const std::string path = member_path(where, member.key);
-      const auto is_same = [&](const Track& track) { return track.parameter == member.key; };
+      const std::string path = member_path(where, member.key), name = prefix + member.key;
+      if (member.value.is(JsonKind::object) && is_group(name)) {
+        read_members(member.value, path, name + ".", is_added);
+        continue;
+      }
+      const auto is_same = [&](const Track& track) { return track.parameter == name; };
       if (std::any_of(frames_.tracks.begin(), frames_.tracks.end(), is_same)) {
         problem(member.place, path, "is animated already; one of the two would do");
         continue;
@@ -77,35 +86,41 @@ class FramesReader {
       bool is_known = true;
       const Plugin* last = nullptr;  // the scenes of a grid lie side by side and have one table
       for (const Choice& scene : scenes_) {
-        if (scene.plugin != last) is_known = is_movable(scene, member, path) && is_known;
+        if (scene.plugin != last) is_known = is_movable(scene, name, member.place, path) && is_known;
         last = scene.plugin;
       }
-      if (is_known) read_track(member, path, is_added);
+      if (is_known) read_track(name, member.value, path, is_added);
     }
   }
 
-  bool is_movable(const Choice& scene, const JsonMember& member, const std::string& path) {
+  bool is_group(const std::string& name) const {
+    return std::any_of(scenes_.begin(), scenes_.end(), [&](const Choice& scene) {
+      return std::any_of(scene.table.begin(), scene.table.end(),
+                         [&](const Parameter& parameter) { return parameter.name.starts_with(name + "."); });
+    });
+  }
+
+  bool is_movable(const Choice& scene, const std::string& name, const Place& place, const std::string& path) {
     std::vector<std::string_view> movable;
     for (const Parameter& parameter : scene.table) {
       if (!can_move(parameter)) continue;
-      if (parameter.name == member.key) return true;
+      if (parameter.name == name) return true;
       movable.push_back(parameter.name);
     }
-    problem(member.place, path,
+    problem(place, path,
             movable.empty() ? fmt::format("scene \"{}\" has nothing that can be animated", scene.plugin->name)
                             : fmt::format("cannot be animated in scene \"{}\"{} what can is {}", scene.plugin->name,
-                                          did_you_mean(member.key, movable), listed(movable)));
+                                          did_you_mean(name, movable), listed(movable)));
     return false;
   }
 
-  void read_track(const JsonMember& member, const std::string& path, bool is_added) {
-    const JsonNode& list = member.value;
+  void read_track(const std::string& name, const JsonNode& list, const std::string& path, bool is_added) {
     if (!list.is(JsonKind::list) || list.items.empty()) {
       return problem(list.place, path,
                      fmt::format("is {}; it takes keyframes such as {}",
                                  list.is(JsonKind::list) ? "an empty list" : shown(list), example()));
     }
-    Track track{member.key, {}, is_added};
+    Track track{name, {}, is_added};
     for (std::size_t i = 0; i < list.items.size(); ++i) read_key(list.items[i], item_path(path, i), track);
     if (track.keys.size() == list.items.size()) frames_.tracks.push_back(std::move(track));
   }

@@ -149,6 +149,7 @@ Json frames_schema() {
   for (const Parameter& p : {format::frame_count, format::still_frame})
     schema["properties"][std::string(p.name)] = parameter_schema(p, false);
   const Json key = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+  const Json keyframes = {{"type", "array"}, {"items", key}, {"minItems", 1}};
   for (const auto& [name, meaning] :
        {std::pair{format::animate_key,
                   "parameters of the scenes over time: keyframes [frame, value], straight in between"},
@@ -156,7 +157,7 @@ Json frames_schema() {
     schema["properties"][std::string(name)] = {
         {"type", "object"},
         {"description", meaning},
-        {"additionalProperties", {{"type", "array"}, {"items", key}, {"minItems", 1}}}};
+        {"additionalProperties", {{"anyOf", {keyframes, {{"type", "object"}, {"additionalProperties", keyframes}}}}}}};
   }
   return schema;
 }

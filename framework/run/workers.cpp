@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -27,7 +28,9 @@ void catch_interrupts() { std::signal(SIGINT, note_interrupt); }
 bool stop_requested() { return interrupted != 0; }
 
 struct Workers::Arena {
-  explicit Arena(int threads) : arena(threads) {}
+  explicit Arena(int threads)
+      : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
+  tbb::global_control limit;  // more threads than cores are allowed, too
   tbb::task_arena arena;
 };
 

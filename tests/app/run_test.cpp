@@ -204,6 +204,13 @@ TEST_CASE("the number of threads changes nothing") {
   CHECK(desk.bytes("two/results.csv") == desk.bytes("one/results.csv"));
 }
 
+TEST_CASE("more threads than cores are no reason for a warning") {
+  const TinyDesk desk;
+  const Ended ended = desk.moire({"run", "tiny", "-o", "many", "-j", "64"});
+  CHECK(ended.code == 0);
+  CHECK(ended.err.find("TBB") == std::string::npos);
+}
+
 TEST_CASE("a --set changes values, and the result says so") {
   const TinyDesk desk;
   const Ended ended =

@@ -64,6 +64,18 @@ TEST_CASE("what is added is read and written apart, and its sum with each scene'
         "edges/experiment.json:6: frames.move.view.pitch_deg: is animated already; one of the two would do");
 }
 
+TEST_CASE("a parameter of a group may be written as its member, as in a scene") {
+  const Frames frames =
+      ExperimentFolder()
+          .read(experiment_with({R"("frames": {"count": 5, "move": {"view": {"height": [[0, 1]]}}})"}))
+          .frames;
+  REQUIRE(frames.tracks.size() == 1);
+  CHECK(frames.tracks[0].parameter == "view.height");
+  CHECK(problems(R"({"move": {"view": {"heigth": [[0, 1]]}}})") ==
+        "edges/experiment.json:6: frames.move.view.heigth: cannot be animated in scene \"heightfield\"; did you mean "
+        "\"view.height\"? what can is view.pitch_deg, view.height");
+}
+
 TEST_CASE("an experiment that says nothing of frames has one, and nothing moves") {
   const Frames frames = ExperimentFolder().read(experiment_with({})).frames;
   CHECK(frames.count == 1);
