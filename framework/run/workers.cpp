@@ -28,9 +28,12 @@ void catch_interrupts() { std::signal(SIGINT, note_interrupt); }
 bool stop_requested() { return interrupted != 0; }
 
 struct Workers::Arena {
-  explicit Arena(int threads)
-      : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
-  tbb::global_control limit;  // more threads than cores are allowed, too
+  explicit Arena(int threads) : arena(threads) {
+    // The smallest of all limits holds, so there is one only where it raises that of the cores.
+    if (threads > tbb::info::default_concurrency())
+      limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
+  std::optional<tbb::global_control> limit;
   tbb::task_arena arena;
 };
 

@@ -1,8 +1,10 @@
 // What blocks there are must not depend on threads, and no pixel is ever rendered twice or not at all.
 #include "run/workers.h"
 
+#include <array>
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -85,6 +87,20 @@ TEST_CASE("what a consumer throws comes out of the call, whatever it is") {
                                 }),
                     int);
   }
+}
+
+TEST_CASE("two threads are at work at once, also beside workers that have one") {
+  const Workers one(1), two(2);
+  std::atomic<int> begun = 0;
+  std::array<bool, 2> met{};
+  two.for_each(2, [&](std::size_t index) {
+    ++begun;
+    // One after the other they would wait in vain.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (begun < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    met[index] = begun == 2;
+  });
+  CHECK(met == std::array{true, true});
 }
 
 TEST_CASE("work is called once for each number below the count, and what it throws comes out") {
