@@ -140,18 +140,20 @@ class ExperimentReader {
     name_choices(reference_, "reference", problems_);
   }
 
+  // A key of the experiment itself that holds one value.
+  std::optional<Cell> read_own(const Parameter& parameter) {
+    const JsonNode* node = root_.find(parameter.name);
+    return node ? read_value(*node, std::string(parameter.name), parameter, parameter.name, reading_)
+                : default_cell(parameter);
+  }
+
   void read_seed() {
-    const JsonNode* node = root_.find("seed");
-    const auto cell = node ? read_value(*node, "seed", format::seed, "seed", reading_) : default_cell(format::seed);
-    if (cell) experiment_.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(cell->value));
+    if (const auto cell = read_own(format::seed))
+      experiment_.seed = static_cast<std::uint64_t>(std::get<std::int64_t>(cell->value));
   }
 
   void read_keep_images() {
-    const Parameter& parameter = format::keep_images;
-    const JsonNode* node = root_.find(parameter.name);
-    const auto cell = node ? read_value(*node, std::string(parameter.name), parameter, parameter.name, reading_)
-                           : default_cell(parameter);
-    if (cell) experiment_.keep_images = std::get<bool>(cell->value);
+    if (const auto cell = read_own(format::keep_images)) experiment_.keep_images = std::get<bool>(cell->value);
   }
 
   void refuse_impossible_scenes() {

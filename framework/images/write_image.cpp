@@ -44,9 +44,7 @@ void save_exr(const fs::path& file, int width, int height, const Color* pixels, 
   save(file, spec, OIIO::TypeDesc::FLOAT, pixels);
 }
 
-std::uint8_t code_value(float light) {
-  return static_cast<std::uint8_t>(std::lround(255 * linear_to_srgb(std::clamp(light, 0.0F, 1.0F))));
-}
+std::uint8_t code_value(float light) { return static_cast<std::uint8_t>(srgb_code(light)); }
 
 std::array<std::uint8_t, 3> code_values(Color color) {
   if (std::isnan(color.r) || std::isnan(color.g) || std::isnan(color.b)) return {255, 0, 255};

@@ -46,11 +46,6 @@ constexpr Quantity quantities[] = {
      .is_main = true},
 };
 
-// 0 .. 255. Requires: a number.
-int srgb_code(float light) {
-  return static_cast<int>(std::lround(255 * linear_to_srgb(std::clamp(light, 0.0F, 1.0F))));
-}
-
 }  // namespace
 
 Flicker::Flicker(const Settings& settings, ImageSize image)
@@ -58,7 +53,7 @@ Flicker::Flicker(const Settings& settings, ImageSize image)
                                               : Columns{or_middle(settings.integer("column"), image.width), 1}) {}
 
 void Flicker::see(const FrameView& view) {
-  const std::vector<Code> own = codes_of(view.own), reference = codes_of(*view.reference);
+  std::vector<Code> own = codes_of(view.own), reference = codes_of(*view.reference);
   for (std::size_t k = 0; k < last_.size(); ++k) {
     int change = 0, excess = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -69,8 +64,8 @@ void Flicker::see(const FrameView& view) {
     ++histogram_[static_cast<std::size_t>(change)];
     excess_ += static_cast<std::uint64_t>(excess);
   }
-  last_ = own;
-  last_reference_ = reference;
+  last_ = std::move(own);
+  last_reference_ = std::move(reference);
 }
 
 std::vector<Flicker::Code> Flicker::codes_of(const PixelBlock& block) {

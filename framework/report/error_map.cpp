@@ -62,8 +62,7 @@ Color signed_error_color(double value, double scale) {
 }
 
 std::string css_color(Color color) {
-  const auto code = [](float light) { return static_cast<int>(std::lround(255 * linear_to_srgb(light))); };
-  return fmt::format("#{:02x}{:02x}{:02x}", code(color.r), code(color.g), code(color.b));
+  return fmt::format("#{:02x}{:02x}{:02x}", srgb_code(color.r), srgb_code(color.g), srgb_code(color.b));
 }
 
 }  // namespace moire::report

@@ -17,7 +17,7 @@ namespace {
 // What a range of columns is rendered for.
 struct Range {
   Columns columns;
-  bool fragments = false, reference = false, exact = false;
+  bool every_frame = false, fragments = false, reference = false, exact = false;
 };
 
 // All columns that passes need, each range once.
@@ -31,25 +31,26 @@ class Ranges {
     }
   }
 
-  void add(const Needs& needs) {
-    every_frame_ = every_frame_ || needs.every_frame;
-    auto range = std::find_if(all_.begin(), all_.end(), [&](const Range& r) { return r.columns == needs.columns; });
-    if (range == all_.end()) range = all_.insert(range, Range{needs.columns});
-    range->fragments = range->fragments || needs.fragments;
-    range->reference = range->reference || needs.reference || needs.of_reference;
-    range->exact = range->exact || needs.exact;
-  }
-
   const std::vector<Range>& all() const { return all_; }
-  bool every_frame() const { return every_frame_; }
+  bool every_frame() const {
+    return std::any_of(all_.begin(), all_.end(), [](const Range& range) { return range.every_frame; });
+  }
   std::size_t index_of(const Columns& columns) const {
     return static_cast<std::size_t>(
         std::find_if(all_.begin(), all_.end(), [&](const Range& r) { return r.columns == columns; }) - all_.begin());
   }
 
  private:
+  void add(const Needs& needs) {
+    auto range = std::find_if(all_.begin(), all_.end(), [&](const Range& r) { return r.columns == needs.columns; });
+    if (range == all_.end()) range = all_.insert(range, Range{needs.columns});
+    range->every_frame = range->every_frame || needs.every_frame;
+    range->fragments = range->fragments || needs.fragments;
+    range->reference = range->reference || needs.reference || needs.of_reference;
+    range->exact = range->exact || needs.exact;
+  }
+
   std::vector<Range> all_;
-  bool every_frame_ = false;
 };
 
 // What one renderer made of one frame, by range; or what it threw.
@@ -120,14 +121,7 @@ class FrameRun {
   }
 
   // A pass of the still alone is not served with other frames.
-  bool is_wanted(const Range& range, int frame) const {
-    if (frame == source_.still) return true;
-    return std::any_of(watched_.begin(), watched_.end(), [&](const Watched& w) {
-      return std::any_of(w.passes.begin(), w.passes.end(), [&](const auto& pass) {
-        return pass && pass->needs().every_frame && pass->needs().columns == range.columns;
-      });
-    });
-  }
+  bool is_wanted(const Range& range, int frame) const { return range.every_frame || frame == source_.still; }
 
   void render_contender(const Contender& contender, const Frame& frame, int number, Rendered& out) const {
     const auto rendering = contender.begin(frame, source_.seed, number);

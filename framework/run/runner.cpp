@@ -204,7 +204,7 @@ class SceneRun {
       add_rows(sampler.name, *pass.entry->description, pass.metric->finish({picture, reference_.picture, sum}));
       for (const Map& map : pass.metric->maps()) {
         results_.images.push_back({choice_.name, sampler.name, std::string(map.kind),
-                                   sink_.map(choice_.name, sampler.name, experiment_.image, map), map.scale, ""});
+                                   sink_.map(choice_.name, sampler.name, experiment_.image, map), map.scale});
         add_errors(map);
       }
     }

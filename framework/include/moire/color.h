@@ -1,6 +1,7 @@
 // Colours: linear-light RGB, and the sRGB curve that files and screens use (IEC 61966-2-1).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace moire {
@@ -23,6 +24,11 @@ inline double srgb_to_linear(double code) {
 // The inverse of srgb_to_linear.
 inline double linear_to_srgb(double light) {
   return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+// The 8-bit code value that a screen shows, 0 .. 255. Requires: a number.
+inline int srgb_code(float light) {
+  return static_cast<int>(std::lround(255 * linear_to_srgb(std::clamp(light, 0.0F, 1.0F))));
 }
 
 }  // namespace moire
