@@ -184,8 +184,8 @@ class SceneRun {
     const auto pixels =
         static_cast<std::size_t>(experiment_.image.width) * static_cast<std::size_t>(experiment_.image.height);
     Picture picture{experiment_.image, std::vector<Color>(pixels)};
-    std::vector<Counters> counters(workers_.blocks(experiment_.image));
     const auto rendering = contender.begin(*frame_, experiment_.seed, experiment_.frames.still);
+    std::vector<Counters> counters(workers_.blocks(experiment_.image, Workers::order(*rendering, recording)));
     workers_.render(*rendering, experiment_.image, recording, [&](std::size_t index, const PixelBlock& block) {
       put(block, picture);
       counters[index] = block.counters;

@@ -12,11 +12,13 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
 
-// One frame, begin() included. Counters of all blocks are added to `counters`.
+// One frame, begin() included.
 double render_once(const Timed& timed, std::uint64_t seed, const Workers& workers, std::vector<Counters>& blocks) {
   const auto start = Clock::now();
   const auto rendering = timed.contender->begin(*timed.frame, seed);
-  workers.render(*rendering, timed.frame->size(), false,
+  const ImageSize size = timed.frame->size();
+  blocks.resize(workers.blocks(size, Workers::order(*rendering, false)));
+  workers.render(*rendering, size, false,
                  [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
   return milliseconds(Clock::now() - start);
 }
@@ -57,7 +59,7 @@ std::vector<Row> measure_speed(const std::string& scene, const std::vector<Timed
 
   // The warm-up counts the work too.
   for (std::size_t k = 0; k < contenders.size(); ++k) {
-    std::vector<Counters> blocks(one.blocks(contenders[k].frame->size()));
+    std::vector<Counters> blocks;
     const double time = render_once(contenders[k], seed, one, blocks);
     for (const Counters& counters : blocks) times[k].counters += counters;
     if (contenders[k].once) times[k].one_thread.push_back(time);
@@ -66,7 +68,7 @@ std::vector<Row> measure_speed(const std::string& scene, const std::vector<Timed
     if (round > 0 && milliseconds(Clock::now() - begin) > 1000 * settings.real("at_most")) break;
     for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
       const std::size_t k = (turn + round) % contenders.size();  // nobody is always first after the slowest
-      std::vector<Counters> blocks(one.blocks(contenders[k].frame->size()));
+      std::vector<Counters> blocks;
       if (!contenders[k].once) times[k].one_thread.push_back(render_once(contenders[k], seed, one, blocks));
       if (!contenders[k].once || round == 0)
         times[k].all_threads.push_back(render_once(contenders[k], seed, workers, blocks));

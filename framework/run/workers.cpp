@@ -44,22 +44,23 @@ Workers::Workers(int threads, int block_width)
 
 Workers::~Workers() = default;
 
-void Workers::run_blocks(ImageSize size, bool recording, BlockWork* work) const {
+void Workers::run_blocks(ImageSize size, bool recording, Blocks order, BlockWork* work) const {
   const auto area = [&](std::size_t index) {
-    const int x0 = static_cast<int>(index) * block_width_;
-    return PixelArea{x0, 0, std::min(block_width_, size.width - x0), size.height};
+    const int first = static_cast<int>(index) * thickness(order);
+    if (order == Blocks::rows) return PixelArea{0, first, size.width, std::min(thickness(order), size.height - first)};
+    return PixelArea{first, 0, std::min(thickness(order), size.width - first), size.height};
   };
   const auto one = [&](std::size_t index, std::optional<PixelBlock>& block) {
     if (block) {
       block->move_to(area(index));
     } else {
-      block.emplace(area(index), recording);
+      block.emplace(area(index), recording, order);
     }
     (*work)(index, *block);
   };
 
   tbb::enumerable_thread_specific<std::optional<PixelBlock>> own;
-  for_each(blocks(size), [&](std::size_t index) { one(index, own.local()); });
+  for_each(blocks(size, order), [&](std::size_t index) { one(index, own.local()); });
 }
 
 void Workers::for_each(std::size_t count, const std::function<void(std::size_t)>& work) const {

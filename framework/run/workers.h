@@ -20,17 +20,22 @@ class Workers {
  public:
   static constexpr int default_block_width = 32;
 
-  // 0 threads: as many as the machine has cores.
+  // 0 threads: as many as the machine has cores. Blocks of columns are block_width wide, blocks of rows half as high.
   explicit Workers(int threads, int block_width = default_block_width);
   ~Workers();
 
   int threads() const { return threads_; }
 
-  // Calls consume(index, block) for every finished block of whole columns, many at once; blocks are numbered from the
-  // left. Throws what a renderer or consumer throws, or Interrupted.
+  // The blocks that a rendering gets: those it likes best, but the fragments of all renderings come in equal blocks.
+  static Blocks order(const Rendering& rendering, bool recording) {
+    return recording ? Blocks::columns : rendering.blocks();
+  }
+
+  // Calls consume(index, block) for every finished block, many at once; blocks are numbered from the left, or from the
+  // top. Throws what a renderer or consumer throws, or Interrupted.
   template <class Consume>
   void render(const Rendering& rendering, ImageSize size, bool recording, Consume consume) const {
-    for_each_block(size, recording, [&](std::size_t index, PixelBlock& block) {
+    for_each_block(size, recording, order(rendering, recording), [&](std::size_t index, PixelBlock& block) {
       rendering.render(block);
       consume(index, block);
     });
@@ -38,16 +43,17 @@ class Workers {
 
   // Calls work(index, block) for every block of the image, empty.
   template <class Work>
-  void for_each_block(ImageSize size, bool recording, Work work) const {
+  void for_each_block(ImageSize size, bool recording, Blocks order, Work work) const {
     Call<Work> call{work};
-    run_blocks(size, recording, &call);
+    run_blocks(size, recording, order, &call);
   }
 
   // Calls work(0) .. work(count - 1), many at once. Throws what `work` throws, or Interrupted.
   void for_each(std::size_t count, const std::function<void(std::size_t)>& work) const;
 
-  std::size_t blocks(ImageSize size) const {
-    return static_cast<std::size_t>((size.width + block_width_ - 1) / block_width_);
+  std::size_t blocks(ImageSize size, Blocks order = Blocks::columns) const {
+    const int length = order == Blocks::columns ? size.width : size.height;
+    return static_cast<std::size_t>((length + thickness(order) - 1) / thickness(order));
   }
 
  private:
@@ -61,7 +67,9 @@ class Workers {
     void operator()(std::size_t index, PixelBlock& block) override { work(index, block); }
     Work& work;
   };
-  void run_blocks(ImageSize size, bool recording, BlockWork* work) const;
+  void run_blocks(ImageSize size, bool recording, Blocks order, BlockWork* work) const;
+  // Of rows, so many that those of a wide image stay in a core's own cache.
+  int thickness(Blocks order) const { return order == Blocks::columns ? block_width_ : (block_width_ + 1) / 2; }
 
   int threads_, block_width_;
   struct Arena;

@@ -41,7 +41,7 @@ class Bench {
                 const Workers& workers) {
     return {name, [&contender, &frame, recording, &workers, this] {
               const auto rendering = contender.begin(frame, 1);
-              std::vector<Counters> blocks(workers.blocks(size));
+              std::vector<Counters> blocks(workers.blocks(size, Workers::order(*rendering, recording)));
               workers.render(*rendering, size, recording,
                              [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
               counters_ = {};
@@ -50,7 +50,7 @@ class Bench {
   }
   Work one_piece(const std::string& name, void (OnePiece::*loop)(PixelBlock&) const) {
     return {name, [this, loop] {
-              one_.for_each_block(size, false, [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
+              one_.for_each_block(size, false, Blocks::columns, [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
             }};
   }
 

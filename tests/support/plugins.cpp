@@ -61,8 +61,8 @@ Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* look
   Rendered image{
       size, std::vector<Content>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)), {}};
   const Workers workers(manner.threads, manner.block_width);
-  std::vector<Counters> counters(workers.blocks(size));
   const auto rendering = sampler.begin({.frame = frame, .lookup = lookup, .seed = seed});
+  std::vector<Counters> counters(workers.blocks(size, Workers::order(*rendering, manner.recording)));
   workers.render(*rendering, size, manner.recording, [&](std::size_t index, const PixelBlock& block) {
     counters[index] = block.counters;
     for (int x = block.x0; x < block.x0 + block.width; ++x) {

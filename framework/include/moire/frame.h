@@ -51,14 +51,30 @@ class PolygonSink {
   virtual void polygon(const Polygon&) = 0;
 };
 
+// Polygons that many frames show, each in its own place: what was found out about it once serves them all.
+class Artwork {
+ public:
+  virtual ~Artwork() = default;
+  // No other artwork of this process has this number; those of one number are equal to the bit.
+  virtual std::uint64_t identity() const = 0;
+  // From its own coordinates to the image.
+  virtual Affine placement() const = 0;
+  // All polygons in its own coordinates, front to back.
+  virtual void stream(PolygonSink& sink) const = 0;
+};
+
 // The polygons that make up the picture.
 class Polygons {
  public:
   virtual ~Polygons() = default;
   // True: no two overlap, the scene has resolved visibility. False: they come front to back.
   virtual bool disjoint() const = 0;
-  // All polygons that touch the window, one call of the sink each.
+  // All polygons that touch the window, in image coordinates, one call of the sink each. What no polygon covers is
+  // the background, in this colour.
   virtual void stream(const Rectangle& window, PolygonSink& sink) const = 0;
+  virtual Color background_color() const = 0;
+  // The artwork that these polygons are, if they may come again in another frame.
+  virtual const Artwork* artwork() const { return nullptr; }
 };
 
 // Where on a texture image points lie.
@@ -73,12 +89,17 @@ class Surface {
 // Lines and circles with their real end points; defined by the first scene that has them.
 class Curves;
 
+// What a frame's colours are, and so what is averaged: linear light, or the sRGB code values (0 .. 1) that files store.
+// The host turns averages of code values into light when they are pixels.
+enum class Blend { linear, as_stored };
+
 // Immutable, and safe to use from many threads. A question that the scene has no structure for is a null pointer.
 class Frame {
  public:
   virtual ~Frame() = default;
 
   virtual ImageSize size() const = 0;
+  virtual Blend blend() const { return Blend::linear; }
 
   // What is seen at each point. Points of one batch that follow each other upward on one line may be answered from
   // one another. Requires: points.size() == hits.size().

@@ -18,7 +18,7 @@
 namespace moire {
 
 // Rises whenever a type or function of the SDK changes so that plugins must be rebuilt.
-inline constexpr std::uint32_t interface_version = 2;
+inline constexpr std::uint32_t interface_version = 3;
 
 enum class Kind : std::uint32_t { sampler = 1, scene = 2 };
 
@@ -59,6 +59,8 @@ struct SamplerPlugin {
   // good that is; `effort` 2 takes twice as many lines, or points along each axis, as 1. Null: it is no reference.
   Trust (*reference)(Questions answered, int effort, Settings& settings) = nullptr;
   std::string_view lookup = "nearest";  // the lookup used unless the experiment names one
+  // Whether renderings save time by RenderRequest::previous.
+  bool (*continues)(const Settings&) = [](const Settings&) { return false; };
   // One of the two.
   std::unique_ptr<PointSampler> (*make_points)(const Settings&) = nullptr;
   std::unique_ptr<Sampler> (*make)(const Settings&) = nullptr;

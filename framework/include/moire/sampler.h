@@ -16,8 +16,10 @@ namespace moire {
 class Rendering {
  public:
   virtual ~Rendering() = default;
-  // Deposits fragments into every pixel of the block: whole image columns. Called for many blocks at once.
+  // Deposits fragments into every pixel of the block. Called for many blocks at once.
   virtual void render(PixelBlock& block) const = 0;
+  // The blocks that cost least. Columns: every block is of whole image columns. Rows: blocks may be any rectangles.
+  virtual Blocks blocks() const { return Blocks::columns; }
 };
 
 // All that a sampler is given with a frame.
@@ -26,7 +28,9 @@ struct RenderRequest {
   const Lookup* lookup = nullptr;  // null: the scene's own colours
   std::uint64_t seed = 0;
   int frame_number = 0;
-  const Rendering* previous = nullptr;  // the frame before this one: may save time, never change the result
+  // Of the same sampler on an earlier frame of the same scene: may save time, never changes the result. It is gone
+  // after begin(), its frame may be gone before.
+  const Rendering* previous = nullptr;
 };
 
 // Immutable and safe to use from many threads.

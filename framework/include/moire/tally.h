@@ -169,12 +169,16 @@ struct PixelArea {
   friend bool operator==(const PixelArea&, const PixelArea&) = default;
 };
 
-// The slots of a rectangle of pixels. Pixels of one image column lie side by side.
+// Which pixels of a block lie side by side: those of an image column, or those of a row.
+enum class Blocks { columns, rows };
+
+// The slots of a rectangle of pixels.
 class PixelBlock : public Tally, public PixelArea {
  public:
-  PixelBlock(PixelArea area, bool recording)
+  PixelBlock(PixelArea area, bool recording, Blocks order = Blocks::columns)
       : Tally(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), recording),
-        PixelArea(area) {}
+        PixelArea(area),
+        order_(order) {}
 
   // Becomes an empty block of other pixels.
   void move_to(PixelArea area) {
@@ -183,8 +187,14 @@ class PixelBlock : public Tally, public PixelArea {
   }
 
   std::size_t slot(int x, int y) const {
-    return static_cast<std::size_t>(x - x0) * static_cast<std::size_t>(height) + static_cast<std::size_t>(y - y0);
+    return static_cast<std::size_t>(x - x0) * across() + static_cast<std::size_t>(y - y0) * down();
   }
+  // From a pixel's slot to that of its neighbour to the right, and of its neighbour below.
+  std::size_t across() const { return order_ == Blocks::columns ? static_cast<std::size_t>(height) : 1; }
+  std::size_t down() const { return order_ == Blocks::columns ? 1 : static_cast<std::size_t>(width); }
+
+ private:
+  Blocks order_;
 };
 
 }  // namespace moire
