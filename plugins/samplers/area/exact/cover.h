@@ -1,0 +1,49 @@
+// Which layers cover a place, and the foremost of them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace area {
+
+// A set of layers in words of 64 bits, above them words that say which words below are not empty, and so on: to change
+// it and to find its first layer takes a step a level, however many layers there are.
+class Cover {
+ public:
+  // Empty but for the background, the last layer, which stays.
+  explicit Cover(std::uint32_t layers) {
+    for (std::uint32_t size = layers; levels_.empty() || size > 1;) {
+      size = (size + 63) / 64;
+      levels_.emplace_back(size, 0);
+    }
+    insert(layers - 1);
+  }
+
+  void insert(std::uint32_t layer) {
+    for (auto& words : levels_) {
+      words[layer / 64] |= std::uint64_t{1} << (layer % 64);
+      layer /= 64;
+    }
+  }
+  void erase(std::uint32_t layer) {
+    for (auto& words : levels_) {
+      std::uint64_t& word = words[layer / 64];
+      word &= ~(std::uint64_t{1} << (layer % 64));
+      if (word != 0) return;
+      layer /= 64;
+    }
+  }
+
+  std::uint32_t front() const {
+    std::uint32_t layer = 0;
+    for (auto words = levels_.rbegin(); words != levels_.rend(); ++words)
+      layer = layer * 64 + static_cast<std::uint32_t>(std::countr_zero((*words)[layer]));
+    return layer;
+  }
+
+ private:
+  std::vector<std::vector<std::uint64_t>> levels_;  // the layers themselves first
+};
+
+}  // namespace area
