@@ -1,5 +1,6 @@
 #include "ink.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -41,7 +42,7 @@ void draw_closed(const std::vector<Point>& line, double width, Pen& pen) {
     std::vector<Point> controls;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) controls.push_back(beside(line, k, side, true));
     // One goes round as the line does, the other one against it, so that the inside stays empty.
-    if (side < 0) controls.assign(controls.rbegin(), controls.rend());
+    if (side < 0) std::ranges::reverse(controls);
     const Point start = middle(controls.back(), controls.front());
     controls.push_back(start);
     pen.move_to(start);
