@@ -1,0 +1,94 @@
+#include "frame.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "points.h"
+#include "runs.h"
+#include "stack.h"
+
+namespace cartoon {
+
+CartoonFrame::CartoonFrame(std::shared_ptr<const Outlines> outlines, const moire::Affine& placement,
+                           moire::ImageSize size, moire::Color background, moire::Blend blend)
+    : outlines_(std::move(outlines)), placement_(placement), size_(size), background_(background), blend_(blend) {
+  points_.reserve(outlines_->points().size());
+  boxes_.reserve(outlines_->layers());
+  for (std::size_t k = 0; k < outlines_->layers(); ++k) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    moire::Rectangle box{infinity, infinity, -infinity, -infinity};
+    for (std::size_t i = points_.size(); i < outlines_->point_end(k); ++i) {
+      const moire::Point p = placement_(outlines_->points()[i]);
+      points_.push_back(p);
+      box.x0 = std::min(box.x0, p.x), box.x1 = std::max(box.x1, p.x);
+      box.y0 = std::min(box.y0, p.y), box.y1 = std::max(box.y1, p.y);
+    }
+    boxes_.push_back(box);
+  }
+}
+
+const Edges& CartoonFrame::edges() const {
+  std::call_once(edges_once_, [this] { edges_.emplace(*outlines_, points_, size_.width); });
+  return *edges_;
+}
+
+moire::Hit CartoonFrame::hit_of(std::uint32_t layer) const {
+  if (layer == Stack::empty) return {moire::background, background_};
+  return {layer + 1, outlines_->layer(layer).color};
+}
+
+void CartoonFrame::trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
+                         moire::Counters& counters) const {
+  thread_local std::vector<std::uint32_t> layers;
+  layers.resize(points.size());
+  find_layers(edges(), outlines_->layers(), points, layers);
+  counters.queries += points.size();
+  std::uint32_t layer = Stack::empty;
+  moire::Hit hit = hit_of(layer);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (layers[k] != layer) hit = hit_of(layer = layers[k]);
+    hits[k] = hit;
+    counters.hits += layer != Stack::empty ? 1 : 0;
+  }
+}
+
+void CartoonFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup*, moire::Tally& pieces) const {
+  LineCutter cutter(*outlines_, points_, edges());
+  std::size_t first_slot = 0;
+  pieces.fill([&](auto add) {
+    for (const moire::ImageLine& line : lines) {
+      if (line.stretches() == 0) continue;
+      const auto runs = cutter.runs(line.from, line.to, line.cuts.front(), line.cuts.back());
+      auto run = runs.begin();
+      for (std::size_t i = 0; i < line.stretches(); ++i) {
+        const double begin = line.cuts[i], end = line.cuts[i + 1];
+        if (!(begin < end)) continue;
+        ++pieces.counters.queries;
+        while (run->end <= begin) ++run;
+        for (auto part = run; part != runs.end() && part->begin < end; ++part) {
+          const moire::Hit hit = hit_of(part->layer);
+          add(first_slot + i, hit.element, std::min(part->end, end) - std::max(part->begin, begin), hit.color);
+          pieces.counters.hits += part->layer != Stack::empty ? 1 : 0;
+        }
+      }
+      first_slot += line.stretches();
+    }
+  });
+}
+
+void CartoonFrame::stream(const moire::Rectangle& window, moire::PolygonSink& sink) const {
+  for (std::size_t k = outlines_->layers(); k-- > 0;) {
+    const moire::Rectangle& box = boxes_[k];
+    const bool touches = box.x0 <= window.x1 && box.x1 >= window.x0 && box.y0 <= window.y1 && box.y1 >= window.y0;
+    if (touches) sink.polygon(outlines_->polygon(k, points_));
+  }
+}
+
+void CartoonFrame::stream(moire::PolygonSink& sink) const {
+  for (std::size_t k = outlines_->layers(); k-- > 0;) {
+    const moire::Polygon polygon = outlines_->polygon(k, outlines_->points());
+    if (!polygon.contours.empty()) sink.polygon(polygon);
+  }
+}
+
+}  // namespace cartoon

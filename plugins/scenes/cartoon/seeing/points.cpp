@@ -1,0 +1,151 @@
+#include "points.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "stack.h"
+
+namespace cartoon {
+
+namespace {
+
+using moire::SamplePoint;
+
+// Where an upright line meets an edge, in the list of those that the next point above comes after.
+struct Meeting {
+  std::uint32_t layer;
+  std::int16_t turn, inside;
+  std::uint32_t next;
+};
+constexpr std::uint32_t none = 0xffffffffU;
+
+// Points on one upright line, each above the one before: every edge that the line meets belongs to the first point
+// above it, and a stack of layers goes up from point to point.
+class Climb {
+ public:
+  void find(const Edges& edges, std::size_t layers, std::span<const SamplePoint> points,
+            std::span<std::uint32_t> found) {
+    stack_.reserve(layers);
+    meet(edges, points);
+    std::uint32_t top = Stack::empty;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (first_[k] != none) {
+        for (std::uint32_t m = first_[k]; m != none; m = meetings_[m].next) {
+          stack_.turn(meetings_[m].layer, meetings_[m].turn, meetings_[m].inside);
+        }
+        top = stack_.top();
+      }
+      found[k] = top;
+    }
+    for (const Meeting& meeting : meetings_) stack_.clear(meeting.layer);
+  }
+
+ private:
+  void meet(const Edges& edges, std::span<const SamplePoint> points) {
+    meetings_.clear();
+    first_.assign(points.size(), none);
+    const double x = points.front().x, lowest = points.front().y, highest = points.back().y;
+    const auto last = static_cast<double>(points.size() - 1);
+    const double rate = lowest > highest ? last / (lowest - highest) : 0;
+    edges.in_column(edges.column_of(x), [&](const Edge& edge) {
+      if (!edge.meets(x)) return;
+      const double y = edge.y_at(x);
+      if (!(y > highest)) return;
+      // Points mostly have even distances: a guess, then the next ones.
+      auto k = static_cast<std::size_t>(std::clamp((lowest - y) * rate, 0.0, last));
+      while (!(points[k].y < y)) ++k;
+      while (k > 0 && points[k - 1].y < y) --k;
+      meetings_.push_back({edge.layer, edge.turn, edge.inside, first_[k]});
+      first_[k] = static_cast<std::uint32_t>(meetings_.size() - 1);
+    });
+  }
+
+  Stack stack_;
+  std::vector<Meeting> meetings_;
+  std::vector<std::uint32_t> first_;  // of each point, in meetings_
+};
+
+// Points of one image column in any order: the column's edges, layer by layer from the top one.
+class Strip {
+ public:
+  void find(const Edges& edges, std::span<const SamplePoint> points, std::span<std::uint32_t> found) {
+    gather(edges, points);
+    for (std::size_t k = 0; k < points.size(); ++k) found[k] = layer_at(points[k].x, points[k].y);
+  }
+
+ private:
+  struct Part {
+    std::uint32_t layer;
+    std::int32_t inside;
+    std::size_t first, end;  // in edges_
+    double low, high;        // at no x of the points is one of its edges beyond
+  };
+
+  void gather(const Edges& edges, std::span<const SamplePoint> points) {
+    const auto [left, right] = std::ranges::minmax(points, {}, &SamplePoint::x);
+    edges_.clear();
+    edges.in_column(edges.column_of(left.x), [&](const Edge& edge) {
+      if (edge.x0 <= right.x && edge.x1 > left.x) edges_.push_back(&edge);
+    });
+    std::ranges::sort(edges_,
+                      [](const Edge* p, const Edge* q) { return p->layer != q->layer ? p->layer > q->layer : p < q; });
+
+    parts_.clear();
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const Edge& edge = *edges_[k];
+      if (parts_.empty() || parts_.back().layer != edge.layer) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        parts_.push_back({edge.layer, edge.inside, k, k, infinity, -infinity});
+      }
+      // y_at rises or falls with x, rounding included.
+      const double y0 = edge.y_at(std::max(left.x, edge.x0)), y1 = edge.y_at(std::min(right.x, edge.x1));
+      Part& part = parts_.back();
+      part.low = std::min({part.low, y0, y1});
+      part.high = std::max({part.high, y0, y1});
+      part.end = k + 1;
+    }
+  }
+
+  std::uint32_t layer_at(double x, double y) const {
+    for (const Part& part : parts_) {
+      // Below all edges none is met; above all of them their turns cancel out.
+      if (y < part.low || y >= part.high) continue;
+      std::int32_t winding = 0;
+      for (std::size_t k = part.first; k < part.end; ++k) {
+        const Edge& edge = *edges_[k];
+        if (edge.meets(x) && edge.y_at(x) > y) winding += edge.turn;
+      }
+      if ((winding & part.inside) != 0) return part.layer;
+    }
+    return Stack::empty;
+  }
+
+  std::vector<const Edge*> edges_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+void find_layers(const Edges& edges, std::size_t layers, std::span<const SamplePoint> points,
+                 std::span<std::uint32_t> found) {
+  // Their memory serves many batches. Between calls the stack is clear.
+  thread_local Climb climb;
+  thread_local Strip strip;
+  for (std::size_t first = 0; first < points.size();) {
+    const std::int64_t column = edges.column_of(points[first].x);
+    bool climbs = true;
+    std::size_t end = first + 1;
+    for (; end < points.size() && edges.column_of(points[end].x) == column; ++end) {
+      climbs = climbs && points[end].x == points[first].x && points[end].y <= points[end - 1].y;
+    }
+    const auto some = points.subspan(first, end - first);
+    if (climbs) {
+      climb.find(edges, layers, some, found.subspan(first, end - first));
+    } else {
+      strip.find(edges, some, found.subspan(first, end - first));
+    }
+    first = end;
+  }
+}
+
+}  // namespace cartoon
