@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "drawings.h"
 #include "interleaved.h"
 #include "packet.h"
 #include "sampling/lookups.h"
@@ -50,7 +51,8 @@ class Bench {
   }
   Work one_piece(const std::string& name, void (OnePiece::*loop)(PixelBlock&) const) {
     return {name, [this, loop] {
-              one_.for_each_block(size, false, Blocks::columns, [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
+              one_.for_each_block(size, false, Blocks::columns,
+                                  [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
             }};
   }
 
@@ -179,13 +181,16 @@ void hidden_runs(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-int main() {
+int main(int argc, char** argv) {
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
     fmt::print(stderr, "moire_benchmarks: MOIRE_DATA is not set; point it at the data folder (terrain/puget_sound)\n");
     return 2;
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
+  const std::string_view only = argc > 1 ? argv[1] : "";
+  if (only.empty() || only == "drawings") benchmark::run_drawings(catalog);
+  if (!only.empty() && only != "terrain") return 0;
   fmt::print(
       "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
       benchmark::rounds);
