@@ -59,9 +59,13 @@ Markup reference_text(const ReportData& data, const SceneResult& scene) {
   if (scene.reference.empty())
     return tag("p", {{"class", "note"}}, "No reference: nothing here is judged by its error.");
   const std::string error = own_error(data, scene);
-  return tag(
-      "p", {{"class", "note"}},
-      "Reference: " + tag("code", scene.reference) + ". " + error + (error.empty() || error.ends_with('.') ? "" : "."));
+  Markup fragments;
+  if (!scene.fragments_reference.empty())
+    fragments = " Fragments are held against " + tag("code", scene.fragments_reference) +
+                ", on the frame that the contenders see.";
+  return tag("p", {{"class", "note"}},
+             "Reference: " + tag("code", scene.reference) + ", " + scene.reference_origin + ". " + error +
+                 (error.empty() || error.ends_with('.') ? "" : ".") + fragments);
 }
 
 // One paragraph: what was compared with what.
@@ -142,6 +146,9 @@ Markup speed_against_error(const SceneView& view) {
   if (view.chart.points.empty()) return {};
   std::string note =
       "Left and down is better. The line is the Pareto front: no contender beats these in both; the others are dimmed.";
+  if (std::any_of(view.chart.points.begin(), view.chart.points.end(),
+                  [&](const ChartPoint& p) { return view.chart.floor > 0 && p.y <= view.chart.floor; }))
+    note += " Hollow points are below the reference\u2019s accuracy and stand at it: as good as can be told.";
   std::string missing;
   for (const std::string& name : view.not_in_chart) missing += (missing.empty() ? "" : ", ") + name;
   if (!missing.empty()) note += " Without both numbers, and so not shown: " + missing + ".";

@@ -65,7 +65,7 @@ double best_value(const std::vector<const Row*>& rows, const std::vector<Line>& 
 
 Cell cell_of(const Row& row, int decimals, double best, const SceneResult& scene) {
   const auto bound = [&](double value) { return std::isnan(value) ? std::string() : readable_text(value, decimals); };
-  const bool is_below = row.metric == main_error && row.value < scene.reference_error;
+  const bool is_below = is_size_of_error(row.metric) && scene.reference_error > 0 && row.value <= scene.reference_error;
   return {readable_text(row.value, decimals), bound(row.low), bound(row.high), row.value == best && !is_below,
           is_below};
 }

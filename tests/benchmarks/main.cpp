@@ -43,7 +43,7 @@ class Bench {
     return {name, [&contender, &frame, recording, &workers, this] {
               const auto rendering = contender.begin(frame, 1);
               std::vector<Counters> blocks(workers.blocks(size, Workers::order(*rendering, recording)));
-              workers.render(*rendering, size, recording,
+              workers.render(*rendering, frame, recording,
                              [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
               counters_ = {};
               for (const Counters& block : blocks) counters_ += block;
@@ -51,7 +51,7 @@ class Bench {
   }
   Work one_piece(const std::string& name, void (OnePiece::*loop)(PixelBlock&) const) {
     return {name, [this, loop] {
-              one_.for_each_block(size, false, Blocks::columns,
+              one_.for_each_block(*frame_, false, Blocks::columns,
                                   [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
             }};
   }
@@ -63,7 +63,7 @@ class Bench {
     const auto linear = contender(catalog_, "area", {}, "linear_across");
     const auto alone = [&](const Lookup* lookup) {
       return Work{"one by one", [this, lookup] {
-                    one_.render(OneByOne(*frame_, lookup), size, false, [](std::size_t, const PixelBlock&) {});
+                    one_.render(OneByOne(*frame_, lookup), *frame_, false, [](std::size_t, const PixelBlock&) {});
                   }};
     };
     const auto t = interleaved({frame_of("nearest", *nearest, *frame_, false, one_), alone(nullptr),
@@ -97,7 +97,7 @@ class Bench {
          frame_of("area recorded", *area, *frame_, true, one_),
          frame_of("supersample 16 recorded", *sixteen, *frame_, true, one_),
          {"area one by one",
-          [this] { one_.render(OneByOne(*frame_, nullptr), size, false, [](std::size_t, const PixelBlock&) {}); }}},
+          [this] { one_.render(OneByOne(*frame_, nullptr), *frame_, false, [](std::size_t, const PixelBlock&) {}); }}},
         rounds);
     frame_of("point", *point, *frame_, false, one_).run();
     const double steps = static_cast<double>(counters_.steps);
@@ -166,8 +166,8 @@ void hidden_runs(const Catalog& catalog) {
       frames.push_back(scene->frame(settings, size));
       const Frame* frame = frames.back().get();
       const auto ignore = [](std::size_t, const PixelBlock&) {};
-      works.push_back({skip, [&, frame, ignore] { one.render(*area->begin(*frame, 1), size, false, ignore); }});
-      works.push_back({skip, [&, frame, ignore] { one.render(OneByOne(*frame, nullptr), size, false, ignore); }});
+      works.push_back({skip, [&, frame, ignore] { one.render(*area->begin(*frame, 1), *frame, false, ignore); }});
+      works.push_back({skip, [&, frame, ignore] { one.render(OneByOne(*frame, nullptr), *frame, false, ignore); }});
     }
     const auto t = interleaved(works, 5);
     fmt::print("  pitch 5, relief 300, levels {}: {:.1f} ms side by side, {:.1f} one by one\n", levels, t[2].median(),

@@ -63,7 +63,7 @@ Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* look
   const Workers workers(manner.threads, manner.block_width);
   const auto rendering = sampler.begin({.frame = frame, .lookup = lookup, .seed = seed});
   std::vector<Counters> counters(workers.blocks(size, Workers::order(*rendering, manner.recording)));
-  workers.render(*rendering, size, manner.recording, [&](std::size_t index, const PixelBlock& block) {
+  workers.render(*rendering, frame, manner.recording, [&](std::size_t index, const PixelBlock& block) {
     counters[index] = block.counters;
     for (int x = block.x0; x < block.x0 + block.width; ++x) {
       for (int y = block.y0; y < block.y0 + block.height; ++y) {
