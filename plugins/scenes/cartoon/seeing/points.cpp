@@ -19,25 +19,41 @@ struct Meeting {
 };
 constexpr std::uint32_t none = 0xffffffffU;
 
+// By value, so that what is written cannot change what is read and stays in registers.
+void fill(std::span<moire::Hit> hits, moire::Hit hit) {
+  const auto [element, color] = hit;
+  const auto [r, g, b] = color;
+  for (moire::Hit& h : hits) h = {element, {r, g, b}};
+}
+
 // Points on one upright line, each above the one before: every edge that the line meets belongs to the first point
 // above it, and a stack of layers goes up from point to point.
 class Climb {
  public:
-  void find(const Edges& edges, std::size_t layers, std::span<const SamplePoint> points,
-            std::span<std::uint32_t> found) {
-    stack_.reserve(layers);
+  // Returns how many hits are none of the background.
+  std::size_t find(const Edges& edges, std::span<const moire::Hit> with, std::span<const SamplePoint> points,
+                   std::span<moire::Hit> hits) {
+    stack_.reserve(with.size());
     meet(edges, points);
-    std::uint32_t top = Stack::empty;
+    moire::Hit hit = with.back();
+    std::size_t known = 0, not_background = 0;
+    const auto see_up_to = [&](std::size_t k) {
+      fill(hits.subspan(known, k - known), hit);
+      if (hit.element != moire::background) not_background += k - known;
+      known = k;
+    };
     for (std::size_t k = 0; k < points.size(); ++k) {
-      if (first_[k] != none) {
-        for (std::uint32_t m = first_[k]; m != none; m = meetings_[m].next) {
-          stack_.turn(meetings_[m].layer, meetings_[m].turn, meetings_[m].inside);
-        }
-        top = stack_.top();
+      if (first_[k] == none) continue;
+      see_up_to(k);
+      for (std::uint32_t m = first_[k]; m != none; m = meetings_[m].next) {
+        stack_.turn(meetings_[m].layer, meetings_[m].turn, meetings_[m].inside);
       }
-      found[k] = top;
+      const std::uint32_t top = stack_.top();
+      hit = top == Stack::empty ? with.back() : with[top];
     }
+    see_up_to(points.size());
     for (const Meeting& meeting : meetings_) stack_.clear(meeting.layer);
+    return not_background;
   }
 
  private:
@@ -68,9 +84,16 @@ class Climb {
 // Points of one image column in any order: the column's edges, layer by layer from the top one.
 class Strip {
  public:
-  void find(const Edges& edges, std::span<const SamplePoint> points, std::span<std::uint32_t> found) {
+  std::size_t find(const Edges& edges, std::span<const moire::Hit> with, std::span<const SamplePoint> points,
+                   std::span<moire::Hit> hits) {
+    std::size_t not_background = 0;
     gather(edges, points);
-    for (std::size_t k = 0; k < points.size(); ++k) found[k] = layer_at(points[k].x, points[k].y);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const std::uint32_t layer = layer_at(points[k].x, points[k].y);
+      hits[k] = layer == Stack::empty ? with.back() : with[layer];
+      not_background += layer == Stack::empty ? 0 : 1;
+    }
+    return not_background;
   }
 
  private:
@@ -126,26 +149,25 @@ class Strip {
 
 }  // namespace
 
-void find_layers(const Edges& edges, std::size_t layers, std::span<const SamplePoint> points,
-                 std::span<std::uint32_t> found) {
+std::size_t find_hits(const Edges& edges, std::span<const moire::Hit> with, std::span<const SamplePoint> points,
+                      std::span<moire::Hit> hits) {
+  std::size_t not_background = 0;
   // Their memory serves many batches. Between calls the stack is clear.
   thread_local Climb climb;
   thread_local Strip strip;
   for (std::size_t first = 0; first < points.size();) {
-    const std::int64_t column = edges.column_of(points[first].x);
-    bool climbs = true;
+    const double x = points[first].x;
     std::size_t end = first + 1;
-    for (; end < points.size() && edges.column_of(points[end].x) == column; ++end) {
-      climbs = climbs && points[end].x == points[first].x && points[end].y <= points[end - 1].y;
-    }
+    while (end < points.size() && points[end].x == x && points[end].y <= points[end - 1].y) ++end;
+    const std::size_t climbs_to = end;
+    const std::int64_t column = edges.column_of(x);
+    while (end < points.size() && edges.column_of(points[end].x) == column) ++end;
     const auto some = points.subspan(first, end - first);
-    if (climbs) {
-      climb.find(edges, layers, some, found.subspan(first, end - first));
-    } else {
-      strip.find(edges, some, found.subspan(first, end - first));
-    }
+    const auto theirs = hits.subspan(first, end - first);
+    not_background += end == climbs_to ? climb.find(edges, with, some, theirs) : strip.find(edges, with, some, theirs);
     first = end;
   }
+  return not_background;
 }
 
 }  // namespace cartoon
