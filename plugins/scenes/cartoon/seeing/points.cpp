@@ -1,6 +1,7 @@
 #include "points.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "stack.h"
@@ -42,14 +43,16 @@ class Climb {
       if (hit.element != moire::background) not_background += k - known;
       known = k;
     };
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (first_[k] == none) continue;
-      see_up_to(k);
-      for (std::uint32_t m = first_[k]; m != none; m = meetings_[m].next) {
-        stack_.turn(meetings_[m].layer, meetings_[m].turn, meetings_[m].inside);
+    for (std::size_t word = 0; word < met_.size(); ++word) {
+      for (std::uint64_t bits = met_[word]; bits != 0; bits &= bits - 1) {
+        const std::size_t k = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+        see_up_to(k);
+        for (std::uint32_t m = first_[k]; m != none; m = meetings_[m].next) {
+          stack_.turn(meetings_[m].layer, meetings_[m].turn, meetings_[m].inside);
+        }
+        const std::uint32_t top = stack_.top();
+        hit = top == Stack::empty ? with.back() : with[top];
       }
-      const std::uint32_t top = stack_.top();
-      hit = top == Stack::empty ? with.back() : with[top];
     }
     see_up_to(points.size());
     for (const Meeting& meeting : meetings_) stack_.clear(meeting.layer);
@@ -59,7 +62,8 @@ class Climb {
  private:
   void meet(const Edges& edges, std::span<const SamplePoint> points) {
     meetings_.clear();
-    first_.assign(points.size(), none);
+    first_.resize(points.size());
+    met_.assign((points.size() + 63) / 64, 0);
     const double x = points.front().x, lowest = points.front().y, highest = points.back().y;
     const auto last = static_cast<double>(points.size() - 1);
     const double rate = lowest > highest ? last / (lowest - highest) : 0;
@@ -71,14 +75,18 @@ class Climb {
       auto k = static_cast<std::size_t>(std::clamp((lowest - y) * rate, 0.0, last));
       while (!(points[k].y < y)) ++k;
       while (k > 0 && points[k - 1].y < y) --k;
-      meetings_.push_back({edge.layer, edge.turn, edge.inside, first_[k]});
+      const std::uint64_t bit = std::uint64_t{1} << k % 64;
+      const bool is_first = (met_[k / 64] & bit) == 0;
+      met_[k / 64] |= bit;
+      meetings_.push_back({edge.layer, edge.turn, edge.inside, is_first ? none : first_[k]});
       first_[k] = static_cast<std::uint32_t>(meetings_.size() - 1);
     });
   }
 
   Stack stack_;
   std::vector<Meeting> meetings_;
-  std::vector<std::uint32_t> first_;  // of each point, in meetings_
+  std::vector<std::uint64_t> met_;    // a bit for each point that comes after an edge
+  std::vector<std::uint32_t> first_;  // of those points, in meetings_
 };
 
 // Points of one image column in any order: the column's edges, layer by layer from the top one.
@@ -147,24 +155,32 @@ class Strip {
   std::vector<Part> parts_;
 };
 
+// Whether each point is above the one before, at the same x. Without branches: mostly they all are.
+bool climbs(std::span<const SamplePoint> points) {
+  bool is_climb = true;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    is_climb &= (points[k].x == points[k - 1].x) & (points[k].y <= points[k - 1].y);
+  }
+  return is_climb;
+}
+
 }  // namespace
 
 std::size_t find_hits(const Edges& edges, std::span<const moire::Hit> with, std::span<const SamplePoint> points,
                       std::span<moire::Hit> hits) {
-  std::size_t not_background = 0;
   // Their memory serves many batches. Between calls the stack is clear.
   thread_local Climb climb;
   thread_local Strip strip;
+  if (points.empty()) return 0;
+  if (climbs(points)) return climb.find(edges, with, points, hits);
+  std::size_t not_background = 0;
   for (std::size_t first = 0; first < points.size();) {
-    const double x = points[first].x;
+    const std::int64_t column = edges.column_of(points[first].x);
     std::size_t end = first + 1;
-    while (end < points.size() && points[end].x == x && points[end].y <= points[end - 1].y) ++end;
-    const std::size_t climbs_to = end;
-    const std::int64_t column = edges.column_of(x);
     while (end < points.size() && edges.column_of(points[end].x) == column) ++end;
     const auto some = points.subspan(first, end - first);
     const auto theirs = hits.subspan(first, end - first);
-    not_background += end == climbs_to ? climb.find(edges, with, some, theirs) : strip.find(edges, with, some, theirs);
+    not_background += climbs(some) ? climb.find(edges, with, some, theirs) : strip.find(edges, with, some, theirs);
     first = end;
   }
   return not_background;
