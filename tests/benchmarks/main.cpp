@@ -6,6 +6,7 @@
 #include "interleaved.h"
 #include "packet.h"
 #include "sampling/lookups.h"
+#include "terrain_truth.h"
 #include "terrain_views.h"
 
 namespace moire::benchmark {
@@ -194,4 +195,5 @@ int main() {
     benchmark::Bench(catalog, view).run();
   }
   benchmark::hidden_runs(catalog);
+  benchmark::terrain_truth(catalog);
 }

@@ -2,6 +2,7 @@
 #include <moire/error.h>
 #include <moire/plugin.h>
 
+#include "exact/disjoint.h"
 #include "radial.h"
 #include "upright.h"
 
@@ -10,7 +11,7 @@ namespace {
 using namespace moire::parameter;
 
 constexpr moire::Parameter parameters[] = {
-    choice("method", "line", "line", "how a pixel's area is covered: exactly along lines"),
+    choice("method", "line", "line exact", "how a pixel's area is covered: exactly along lines, or as a whole"),
     integer("lines", 1, 1, 256, "lines per pixel", "lines across each pixel; radial lines are at least as dense"),
     choice("layout", "upright", "upright radial",
            "lines along image columns, or through the scene's pole, where they are exact"),
@@ -19,14 +20,25 @@ constexpr moire::Parameter parameters[] = {
 class Area final : public moire::Sampler {
  public:
   explicit Area(const moire::Settings& settings)
-      : lines_(static_cast<int>(settings.integer("lines"))), radial_(settings.text("layout") == "radial") {}
+      : exact_(settings.text("method") == "exact"),
+        lines_(static_cast<int>(settings.integer("lines"))),
+        radial_(settings.text("layout") == "radial") {}
 
   std::unique_ptr<moire::Rendering> begin(const moire::RenderRequest& request) const override {
+    if (exact_) return integrated(request.frame);
     if (radial_) return std::make_unique<area::Radial>(request, lines_);
     return std::make_unique<area::Upright>(request, lines_);
   }
 
  private:
+  static std::unique_ptr<moire::Rendering> integrated(const moire::Frame& frame) {
+    if (!frame.polygons()->disjoint()) {
+      throw moire::Error("area: the scene's polygons overlap; method exact takes those that do not");
+    }
+    return std::make_unique<area::Disjoint>(frame);
+  }
+
+  bool exact_;
   int lines_;
   bool radial_;
 };
@@ -41,10 +53,15 @@ MOIRE_SAMPLER(
         .parameters = parameters,
         .asks =
             [](const moire::Settings& settings) {
+              if (settings.text("method") == "exact") return moire::Questions::polygons;
               return settings.text("layout") == "radial" ? moire::Questions::radial_lines : moire::Questions::lines;
             },
         .reference =
             [](moire::Questions answered, int effort, moire::Settings& settings) {
+              if ((answered & moire::Questions::polygons) != moire::Questions::none) {
+                settings.set("method", std::string("exact"));
+                return moire::Trust::exact;
+              }
               if ((answered & moire::Questions::lines) == moire::Questions::none) return moire::Trust::none;
               const bool radial = (answered & moire::Questions::radial_lines) != moire::Questions::none;
               settings.set("layout", std::string(radial ? "radial" : "upright"));
