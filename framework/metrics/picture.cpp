@@ -1,5 +1,6 @@
 #include "metrics/picture.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -9,16 +10,27 @@ namespace moire {
 
 namespace {
 
-// color_of(slot) is asked once for each. Row by row whatever the block's order: tiles that read a column's cache lines
-// whole are slower, since they write to several rows in turn.
+// color_of(slot) is asked once for each slot outside of runs. Row by row whatever the block's order: tiles that read a
+// column's cache lines whole are slower, since they write to several rows in turn.
 template <class ColorOf>
 void copy(const PixelBlock& block, Picture& picture, ColorOf color_of) {
   const auto stride = static_cast<std::size_t>(picture.size.width);
   const auto width = static_cast<std::size_t>(block.width), height = static_cast<std::size_t>(block.height);
   const std::size_t across = block.across(), down = block.down();
   Color* row = picture.pixels.data() + static_cast<std::size_t>(block.y0) * stride + static_cast<std::size_t>(block.x0);
+  auto run = block.runs().begin();
   for (std::size_t y = 0; y < height; ++y, row += stride) {
-    for (std::size_t x = 0; x < width; ++x) row[x] = color_of(y * down + x * across);
+    for (std::size_t x = 0; x < width;) {
+      const std::size_t slot = y * down + x * across;
+      if (run != block.runs().end() && run->first == slot) {
+        std::fill_n(row + x, run->count, block.light(run->color));
+        x += run->count;
+        ++run;
+        continue;
+      }
+      const std::size_t end = run == block.runs().end() ? width : std::min(width, x + (run->first - slot));
+      for (std::size_t k = slot; x < end; ++x, k += across) row[x] = color_of(k);
+    }
   }
 }
 

@@ -17,7 +17,7 @@ Picture render_picture(const Contender& contender, const Frame& frame, int frame
   Picture picture{size,
                   std::vector<Color>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height))};
   const auto rendering = contender.begin(frame, seed, frame_number);
-  workers.render(*rendering, frame, false, [&](std::size_t, const PixelBlock& block) { put(block, picture); });
+  workers.render_runs(*rendering, frame, false, [&](std::size_t, const PixelBlock& block) { put(block, picture); });
   return picture;
 }
 

@@ -19,12 +19,17 @@ struct Timing {
 
 // One frame, begin() included; what is thrown away costs nothing.
 Timing render_once(const Timed& timed, std::uint64_t seed, const Workers& workers, std::vector<Counters>& blocks,
-                   const Rendering* previous = nullptr) {
+                   Picture& picture, const Rendering* previous = nullptr) {
   const auto start = Clock::now();
   auto rendering = timed.contender->begin(*timed.frame, seed, 0, previous);
-  blocks.resize(workers.blocks(timed.frame->size(), Workers::order(*rendering, false)));
-  workers.render(*rendering, *timed.frame, false,
-                 [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
+  const ImageSize size = timed.frame->size();
+  blocks.resize(workers.blocks(size, Workers::order(*rendering, false)));
+  picture.size = size;
+  picture.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  workers.render_runs(*rendering, *timed.frame, false, [&](std::size_t index, const PixelBlock& block) {
+    put(block, picture);
+    blocks[index] = block.counters;
+  });
   return {milliseconds(Clock::now() - start), std::move(rendering)};
 }
 
@@ -62,11 +67,12 @@ std::vector<Row> measure_speed(const std::string& scene, const std::vector<Timed
   const auto rounds = static_cast<std::size_t>(settings.integer("rounds"));
   const auto begin = Clock::now();
   std::vector<Times> times(contenders.size());
+  Picture picture;  // into which all are rendered
 
   // The warm-up counts the work too.
   for (std::size_t k = 0; k < contenders.size(); ++k) {
     std::vector<Counters> blocks;
-    Timing timing = render_once(contenders[k], seed, one, blocks);
+    Timing timing = render_once(contenders[k], seed, one, blocks, picture);
     for (const Counters& counters : blocks) times[k].counters += counters;
     if (contenders[k].once) times[k].one_thread.push_back(timing.ms);
     if (contenders[k].contender->continues() && !contenders[k].once) times[k].last = std::move(timing.rendering);
@@ -87,14 +93,14 @@ std::vector<Row> measure_speed(const std::string& scene, const std::vector<Timed
       const auto [k, is_next_frame] = turns[(turn + round) % turns.size()];  // nobody is always first after the slowest
       std::vector<Counters> blocks;
       if (is_next_frame) {
-        Timing timing = render_once(contenders[k], seed, one, blocks, times[k].last.get());
+        Timing timing = render_once(contenders[k], seed, one, blocks, picture, times[k].last.get());
         times[k].next_frame.push_back(timing.ms);
         times[k].last = std::move(timing.rendering);
         continue;
       }
-      if (!contenders[k].once) times[k].one_thread.push_back(render_once(contenders[k], seed, one, blocks).ms);
+      if (!contenders[k].once) times[k].one_thread.push_back(render_once(contenders[k], seed, one, blocks, picture).ms);
       if (!contenders[k].once || round == 0)
-        times[k].all_threads.push_back(render_once(contenders[k], seed, workers, blocks).ms);
+        times[k].all_threads.push_back(render_once(contenders[k], seed, workers, blocks, picture).ms);
     }
     progress(static_cast<double>(round + 1) / static_cast<double>(rounds));
   }

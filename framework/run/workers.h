@@ -35,6 +35,15 @@ class Workers {
   // are numbered from the left, or from the top. Throws what a renderer or consumer throws, or Interrupted.
   template <class Consume>
   void render(const Rendering& rendering, const Frame& frame, bool recording, Consume consume) const {
+    render_runs(rendering, frame, recording, [&](std::size_t index, PixelBlock& block) {
+      block.settle();
+      consume(index, block);
+    });
+  }
+
+  // The same for a consumer that takes runs as runs (Tally::Run).
+  template <class Consume>
+  void render_runs(const Rendering& rendering, const Frame& frame, bool recording, Consume consume) const {
     for_each_block(frame, recording, order(rendering, recording), [&](std::size_t index, PixelBlock& block) {
       rendering.render(block);
       consume(index, block);

@@ -7,6 +7,7 @@
 #include "interleaved.h"
 #include "packet.h"
 #include "sampling/lookups.h"
+#include "terrain_truth.h"
 #include "terrain_views.h"
 
 namespace moire::benchmark {
@@ -199,4 +200,5 @@ int main(int argc, char** argv) {
     benchmark::Bench(catalog, view).run();
   }
   benchmark::hidden_runs(catalog);
+  benchmark::terrain_truth(catalog);
 }

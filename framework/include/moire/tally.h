@@ -1,6 +1,7 @@
 // What samplers deposit: fragments, summed per slot and kept one by one where a metric asked for them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -58,7 +59,18 @@ class Tally {
 
   // Empties all slots and makes `slots` of them.
   void reset(std::size_t slots) {
-    sums_.assign(slots, Sum{});
+    if (slots != sums_.size()) {
+      sums_.assign(slots, Sum{});
+    } else {
+      // The slots of runs have been left empty.
+      auto from = sums_.begin();
+      for (const Run& run : runs_) {
+        std::fill(from, sums_.begin() + static_cast<std::ptrdiff_t>(run.first), Sum{});
+        from = sums_.begin() + static_cast<std::ptrdiff_t>(run.first + run.count);
+      }
+      std::fill(from, sums_.end(), Sum{});
+    }
+    runs_.clear();
     entries_.clear();
     if (recording_) chains_.assign(slots, Chain{});
     counters = {};
@@ -101,6 +113,23 @@ class Tally {
     } else {
       body(Adder<false>(*this));
     }
+  }
+
+  // Slots side by side that each get one deposit of weight 1 and no other.
+  struct Run {
+    std::size_t first, count;
+    Color color;
+  };
+  // Kept as they are until settle(): before it nothing else can be asked of their slots. For samplers that fill large
+  // parts of a picture. Requires: not recording; behind the runs before it.
+  void add_run(const Run& run) { runs_.push_back(run); }
+  const std::vector<Run>& runs() const { return runs_; }
+  void settle() {
+    for (const Run& run : runs_) {
+      const Sum sum{1, run.color.r, run.color.g, run.color.b};
+      std::fill_n(sums_.begin() + static_cast<std::ptrdiff_t>(run.first), run.count, sum);
+    }
+    runs_.clear();
   }
 
   // Adds slot `source` of `from`, weights times `factor`, fragments in their order. Requires: `from` records if this
@@ -162,6 +191,7 @@ class Tally {
 
   bool recording_;
   std::vector<Sum> sums_;
+  std::vector<Run> runs_;
   std::vector<Entry> entries_;
   std::vector<Chain> chains_;
 };

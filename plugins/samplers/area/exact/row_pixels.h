@@ -110,6 +110,11 @@ class RowPixels {
   // Deposits the pixels [begin, end), all alike.
   void deposit_solid(int begin, int end, const Content& content) {
     const int first = std::max(begin, block_.x0), last = std::min(end, block_.x0 + block_.width);
+    if (!recorded && block_.across() == 1 && first < last) {
+      const moire::Color color{static_cast<float>(content.sum.r), static_cast<float>(content.sum.g),
+                               static_cast<float>(content.sum.b)};
+      return block_.add_run({slot(first), static_cast<std::size_t>(last - first), color});
+    }
     for (int pixel = first; pixel < last; ++pixel) deposit(slot(pixel), content);
   }
 
