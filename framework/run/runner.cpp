@@ -137,8 +137,6 @@ class SceneRun {
     result.reference_error = reference_.error;
     result.reference_error_how = reference_.how;
     result.reference_origin = reference_.origin;
-    if (references_.fragments.sampler.name != references_.colors.sampler.name)
-      result.fragments_reference = references_.fragments.sampler.name;
     results_.manifest["references"][choice_.name] = {
         {"recipe", result.reference}, {"how", result.reference_error_how}, {"origin", result.reference_origin}};
     if (experiment_.keep_images)
@@ -151,11 +149,18 @@ class SceneRun {
   }
 
   const std::vector<MergedBlock>& exact_blocks(Against against) {
+    if (against == Against::pixel) say_what_fragments_are_held_against();
     std::vector<MergedBlock>& blocks = against == Against::column ? column_blocks_ : pixel_blocks_;
-    if (blocks.empty())
+    if (blocks.empty()) {
       blocks = exact_fragments(against, references_.fragments, *frame_, experiment_.frames.still, experiment_.seed,
                                workers_);
+    }
     return blocks;
+  }
+
+  void say_what_fragments_are_held_against() {
+    const std::string& fragments = references_.fragments.sampler.name;
+    if (fragments != references_.colors.sampler.name) scene_result().fragments_reference = fragments;
   }
 
   void judge(const SamplerChoice& sampler) {
@@ -231,6 +236,9 @@ class SceneRun {
     for (const SamplerChoice& sampler : experiment_.samplers) {
       if (results_.jobs.contains(choice_.name + "/" + sampler.name))
         all.push_back(watched(sampler.name, std::make_unique<Contender>(sampler)));
+    }
+    for (const auto& pass : all.back().passes) {
+      if (pass && pass->needs().exact) say_what_fragments_are_held_against();
     }
     const FrameSource source{*scene_,
                              [&](int frame) { return settings_at(choice_.settings, experiment_.frames, frame); },

@@ -65,6 +65,14 @@ TEST_CASE("means and maxima of an error are marked too, also right at the refere
   CHECK(best(results, "coverage.ratio") == Names{"super[n=2]"});
 }
 
+TEST_CASE("an error too small to tell does not lengthen the others") {
+  Results results = test::sample_results();
+  results.rows[2].value = 3e-7;
+  const MetricTable table = table_of(results);
+  CHECK(table.lines[0].cells[0].value == "12.50");
+  CHECK(table.lines[2].cells[0].value == "3.0e-07");
+}
+
 TEST_CASE("a reference without an error of its own hides none") {
   Results results = test::sample_results();
   results.rows[2].value = 0;
