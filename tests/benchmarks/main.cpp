@@ -1,5 +1,6 @@
 // Benchmarks of the foundation: what the plugin boundary, recording and each method cost, as ratios of one process.
 #include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -180,13 +181,18 @@ void hidden_runs(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-int main() {
+// `moire_benchmarks truth`: the exact picture alone.
+int main(int count, char** arguments) {
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
     fmt::print(stderr, "moire_benchmarks: MOIRE_DATA is not set; point it at the data folder (terrain/puget_sound)\n");
     return 2;
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
+  if (count > 1 && std::string_view(arguments[1]) == "truth") {
+    benchmark::terrain_truth(catalog);
+    return 0;
+  }
   fmt::print(
       "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
       benchmark::rounds);

@@ -54,10 +54,11 @@ void terrain_truth(const Catalog& catalog) {
       workers.render(*area->begin(*frame, 1), size, false, [](std::size_t, const PixelBlock&) {});
     };
     const int rounds = view.pitch_deg > 10 ? 5 : 1;
-    const std::vector<Work> works{{"frame", [&] { render(one); }}, {"polygons", [&] {
-                                    counter = {};
-                                    visited = visible.visit({0, 0, 400, 400}, counter);
-                                  }}};
+    const std::vector<Work> works{{"frame", [&] { render(one); }},
+                                  {"polygons", [&] {
+                                     counter = {};
+                                     visited = visible.visit({0, 0, 400, 400}, counter);
+                                   }}};
     const auto t = interleaved(works, rounds);
     const auto seen = static_cast<double>(counter.voxels);
     fmt::print(

@@ -50,7 +50,8 @@ void PixelAreas::in_row(double* row, moire::Point a, moire::Point b) {
     row[0] += turn * (at.y - begin.y);
   }
   for (double pixel = std::floor(at.x); at.x < end.x && pixel < right; ++pixel) {
-    const moire::Point next = end.x <= pixel + 1 ? end : moire::Point{pixel + 1, begin.y + (pixel + 1 - begin.x) * slope};
+    const moire::Point next =
+        end.x <= pixel + 1 ? end : moire::Point{pixel + 1, begin.y + (pixel + 1 - begin.x) * slope};
     in_pixel(row + static_cast<int>(pixel - left), pixel, turn * (next.y - at.y), (at.x + next.x) / 2);
     at = next;
   }
