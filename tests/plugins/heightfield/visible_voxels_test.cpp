@@ -201,10 +201,10 @@ TEST_CASE("the exact picture is the same to the bit in blocks of any width, wher
   const Map map = usual_map();
   const SmallTerrain terrain(map);
   const std::vector<View> views = all_views(map);
-  for (std::size_t k = 0; k < views.size(); k += 3) {
+  for (std::size_t k = 0; k < views.size(); k += 5) {
     View view = views[k];
-    if (view.far > 100) continue;
-    view.size.width += 20;  // several wedges
+    if (view.far > 100 || view.far < 1) continue;  // slow, each for its own reason, and the same code
+    view.size.width += 20;                         // several wedges
     CAPTURE(view.caption);
     const auto frame = terrain.frame(view);
     const Rendered image = exact(*frame);
