@@ -1,5 +1,6 @@
 // Benchmarks of the foundation: what the plugin boundary, recording and each method cost, as ratios of one process.
 #include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -182,16 +183,28 @@ void hidden_runs(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
+<<<<<<< HEAD
 int main(int argc, char** argv) {
+=======
+// `moire_benchmarks truth`: the exact picture alone.
+int main(int count, char** arguments) {
+>>>>>>> terrain
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
     fmt::print(stderr, "moire_benchmarks: MOIRE_DATA is not set; point it at the data folder (terrain/puget_sound)\n");
     return 2;
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
+<<<<<<< HEAD
   const std::string_view only = argc > 1 ? argv[1] : "";
   if (only.empty() || only == "drawings") benchmark::run_drawings(catalog);
   if (!only.empty() && only != "terrain") return 0;
+=======
+  if (count > 1 && std::string_view(arguments[1]) == "truth") {
+    benchmark::terrain_truth(catalog);
+    return 0;
+  }
+>>>>>>> terrain
   fmt::print(
       "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
       benchmark::rounds);

@@ -41,7 +41,7 @@ void terrain_truth(const Catalog& catalog) {
     const auto scene = catalog.find(Kind::scene, "heightfield")->scene->make(settings);
     const auto frame = scene->frame(settings, size);
     const auto area = contender(catalog, "area", {{"method", std::string("exact")}});
-    const Workers one(1), two(2);
+    const Workers one(1), two(2), whole(1, size.width);
 
     const heightfield::Voxels voxels(heightfield::load_terrain(settings));
     const heightfield::Camera camera = heightfield::camera_of(settings, size);
@@ -54,10 +54,11 @@ void terrain_truth(const Catalog& catalog) {
       workers.render(*area->begin(*frame, 1), *frame, false, [](std::size_t, const PixelBlock&) {});
     };
     const int rounds = view.pitch_deg > 10 ? 5 : 1;
-    const std::vector<Work> works{{"frame", [&] { render(one); }}, {"polygons", [&] {
-                                    counter = {};
-                                    visited = visible.visit({0, 0, 400, 400}, counter);
-                                  }}};
+    const std::vector<Work> works{{"frame", [&] { render(one); }},
+                                  {"polygons", [&] {
+                                     counter = {};
+                                     visited = visible.visit({0, 0, 400, 400}, counter);
+                                   }}};
     const auto t = interleaved(works, rounds);
     const auto seen = static_cast<double>(counter.voxels);
     fmt::print(
@@ -65,6 +66,9 @@ void terrain_truth(const Catalog& catalog) {
         "{} voxels looked at, {} visible, {:.2f} polygons each, {:.1f} corners\n",
         view.pitch_deg, t[0].median(), goals_ms[k++], 1e6 * t[0].median() / seen, 1e6 * t[1].median() / seen, visited,
         counter.voxels, static_cast<double>(counter.polygons) / seen, static_cast<double>(counter.corners) / seen);
+    const auto blocks = interleaved({{"32", [&] { render(one); }}, {"all", [&] { render(whole); }}}, rounds);
+    const Ratio waste = ratio(blocks[0], blocks[1]);
+    fmt::print("    {:<52} {:5.2f}  ({:.2f} .. {:.2f})\n", "exact area: blocks of 32 columns over the whole image", waste.median, waste.low, waste.high);
     const auto both = interleaved({{"one", [&] { render(one); }}, {"two", [&] { render(two); }}}, rounds, Clock::wall);
     const Ratio r = ratio(both[0], both[1]);
     fmt::print("    {:<52} {:5.2f}  ({:.2f} .. {:.2f})   {}\n", "exact area: one thread over two", r.median, r.low,

@@ -73,9 +73,8 @@ constexpr moire::Parameter parameters[] = {
 
 // Whether the terrain is seen as it is: no setting in place that makes it another one.
 bool is_exact(const moire::Settings& settings) {
-  return std::all_of(std::begin(parameters), std::end(parameters), [&](const moire::Parameter& p) {
-    return p.exact.empty() || settings.text(p.name) == p.exact;
-  });
+  return std::all_of(std::begin(parameters), std::end(parameters),
+                     [&](const moire::Parameter& p) { return p.exact.empty() || settings.text(p.name) == p.exact; });
 }
 
 class Heightfield final : public moire::Scene {

@@ -8,19 +8,22 @@ void PixelAreas::edge(moire::Point a, moire::Point b) {
   const bool down = a.y < b.y;
   const moire::Point upper = down ? a : b, lower = down ? b : a;
   if (lower.y <= low || upper.y >= high) return;
-  const double slope = (lower.x - upper.x) / (lower.y - upper.y);
+  const auto pitch = static_cast<std::size_t>(width_) + 2;
+  const auto row_at = [&](double row_top) { return store_.data() + pitch * static_cast<std::size_t>(row_top - low); };
+  double row_top = std::floor(std::max(upper.y, low));
+  if (upper.y >= low && lower.y <= row_top + 1) return in_row(row_at(row_top), a, b);
+
   // x where the edge crosses the border between two rows of pixels.
+  const double slope = (lower.x - upper.x) / (lower.y - upper.y);
   const auto x_at = [&](double y) {
     return std::clamp(upper.x + (y - upper.y) * slope, std::min(a.x, b.x), std::max(a.x, b.x));
   };
-
   moire::Point at = upper;
   if (upper.y < low) at = {x_at(low), low};
-  const auto pitch = static_cast<std::size_t>(width_) + 2;
-  for (double row_top = std::floor(at.y); at.y < lower.y && row_top < high; ++row_top) {
+  for (; at.y < lower.y && row_top < high; ++row_top) {
     const double border = row_top + 1;
     const moire::Point next = lower.y <= border ? lower : moire::Point{x_at(border), border};
-    double* row = store_.data() + pitch * static_cast<std::size_t>(row_top - low);
+    double* row = row_at(row_top);
     down ? in_row(row, at, next) : in_row(row, next, at);
     at = next;
   }
@@ -50,7 +53,8 @@ void PixelAreas::in_row(double* row, moire::Point a, moire::Point b) {
     row[0] += turn * (at.y - begin.y);
   }
   for (double pixel = std::floor(at.x); at.x < end.x && pixel < right; ++pixel) {
-    const moire::Point next = end.x <= pixel + 1 ? end : moire::Point{pixel + 1, begin.y + (pixel + 1 - begin.x) * slope};
+    const moire::Point next =
+        end.x <= pixel + 1 ? end : moire::Point{pixel + 1, begin.y + (pixel + 1 - begin.x) * slope};
     in_pixel(row + static_cast<int>(pixel - left), pixel, turn * (next.y - at.y), (at.x + next.x) / 2);
     at = next;
   }

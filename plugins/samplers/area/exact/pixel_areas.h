@@ -18,7 +18,8 @@ class PixelAreas {
  public:
   explicit PixelAreas(moire::PixelArea window) : window_(window) {}
 
-  // Calls deposit(x, y, area) for every pixel of the window of which the polygon takes up more than nothing. Contours
+  // Calls deposit(x, y, area) for every pixel of the window of which the polygon takes up more than rounding errors (of
+  // one that lies in a single pixel: than nothing), the same to the bit whatever the window is. Contours
   // do not cross; holes are turned against their outline. Pixels left of column 0 are no part of the picture.
   template <class Deposit>
   void of(const moire::Polygon& polygon, Deposit deposit);
@@ -82,13 +83,15 @@ void PixelAreas::of(const moire::Polygon& polygon, Deposit deposit) {
   }
   // An edge that rises in y, seen with y downward, has the area at its right side where the polygon is turned so.
   const double turn = doubled < 0 ? 1 : -1;
+  // Pixels that the polygon does not touch are left with the rounding errors of the edges beside them.
+  const double least = 0x1p-50 * static_cast<double>(points.size());
   for (int j = 0; j < height_; ++j) {
     const double* row = store_.data() + pitch * static_cast<std::size_t>(j);
     double sum = 0;
     for (int i = 0; i < width_; ++i) {
       sum += row[i];
       const double area = turn * sum;
-      if (area > 0 && x0_ + i >= window_.x0) deposit(x0_ + i, y0_ + j, area);
+      if (area > least && x0_ + i >= window_.x0) deposit(x0_ + i, y0_ + j, area);
     }
   }
 }

@@ -117,13 +117,16 @@ Projection::Rises Projection::rises_of(std::span<const moire::Point> part) const
   return rises;
 }
 
-double Projection::pixels_per_rise(std::span<const moire::Point> part) const {
-  double pixels = 0;
+Projection::Scale Projection::scale_of(std::span<const moire::Point> part) const {
+  Scale scale{0, 0};
   for (const moire::Point p : part) {
     const double along = at(along_, p);
-    pixels = std::max(pixels, along * std::hypot(x_[2] - p.x * depth_[2], y_[2] - p.y * depth_[2]));
+    const auto pixels = [&](std::size_t k) {
+      return 2 * along * std::hypot(x_[k] - p.x * depth_[k], y_[k] - p.y * depth_[k]);
+    };
+    scale = {std::max(scale.per_u, pixels(1)), std::max(scale.per_v, pixels(2))};
   }
-  return 2 * pixels;
+  return scale;
 }
 
 }  // namespace heightfield::exact

@@ -44,8 +44,11 @@ class Projection {
     double lowest, highest;
   };
   Rises rises_of(std::span<const moire::Point> part) const;
-  // No less than the pixels by which a place of that part moves when its v does by 1.
-  double pixels_per_rise(std::span<const moire::Point> part) const;
+  // No less than the pixels by which a place of that part moves when its u or its v does by 1.
+  struct Scale {
+    double per_u, per_v;
+  };
+  Scale scale_of(std::span<const moire::Point> part) const;
 
  private:
   // A linear form over (1, u, v), or over image points (1, x, y).
@@ -54,9 +57,9 @@ class Projection {
   static double row(const Form& form, double a, double b) { return form[0] + form[1] * a + form[2] * b; }
   static double at(const Form& form, moire::Point point) { return row(form, point.x, point.y); }
 
-  Form along_, across_, rise_;     // of the ray through an image point
-  Form x_, y_, depth_;             // of a direction: its image point is (x / depth, y / depth)
-  double least_depth_ = 0;         // limits
+  Form along_, across_, rise_;  // of the ray through an image point
+  Form x_, y_, depth_;          // of a direction: its image point is (x / depth, y / depth)
+  double least_depth_ = 0;      // limits
   double lowest_ = 0, highest_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // The horizon of a wedge of directions while chains (the upper edges of boxes) are laid before it, row by row.
 //
-// For every azimuth u the directions already seen are all those below one height v, so the horizon is a piecewise linear
-// function of u, with upright steps. Chains of a row come from u0 outward, each before the next: they overlap only in
-// the stretch where a ray passes from one voxel to its neighbour. What a chain shows is what lies between it and the
-// horizon, and goes to `show` as polygons.
+// For every azimuth u the directions already seen are all those below one height v, so the horizon is a piecewise
+// linear function of u, with upright steps. Chains of a row come from u0 outward, each before the next: they overlap
+// only in the stretch where a ray passes from one voxel to its neighbour. What a chain shows is what lies between it
+// and the horizon, and goes to `show` as polygons.
 #pragma once
 
 #include <algorithm>
@@ -192,8 +192,8 @@ class Skyline {
   const Projection& projection_;
   double u0_, u1_;
   Show show_;
-  std::vector<Vertex> old_, new_;      // the horizon before and after this row
-  std::vector<Vertex> branch_store_;   // what the last chain made of it, where the next one overlaps
+  std::vector<Vertex> old_, new_;     // the horizon before and after this row
+  std::vector<Vertex> branch_store_;  // what the last chain made of it, where the next one overlaps
   std::vector<Vertex> outline_;
   Vertex *next_ = nullptr, *out_ = nullptr, *main_ = nullptr, *branch_ = nullptr, *branch_end_ = nullptr;
   Vertex *lower_ = nullptr, *upper_ = nullptr;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Chords follow the far limit's circle to so much of a pixel.
+// Chords follow the far limit's circle so that no pixel is off by more.
 constexpr double chord_error = 1e-10;
 constexpr double most_chords = 1 << 20;  // in a wedge
 
@@ -42,8 +42,8 @@ class Shower {
   }
   void show(std::span<const moire::Point> points) {
     static constexpr std::uint32_t first = 0;
-    sink_.polygon({walk_.element(Voxel{cell_, 0, 0, p_, q_}), color_of(*cell_), moire::FillRule::nonzero, points,
-                   {&first, 1}});
+    sink_.polygon(
+        {walk_.element(Voxel{cell_, 0, 0, p_, q_}), color_of(*cell_), moire::FillRule::nonzero, points, {&first, 1}});
   }
 
  private:
@@ -56,25 +56,36 @@ class Shower {
   std::vector<moire::Point> points_;
 };
 
-// The far limit in a wedge: 1 / p of its place at u, straight between places at equal distances in u.
+// The far limit in a wedge: 1 / p of its place at u, straight between places at equal distances in u. The chords cross
+// the circle so that each has as much of it on one side as on the other; what a pixel is off by comes from parts of a
+// chord at its sides. Of a chord of width d that is at most sqrt(3) / 216 d^3 times the second derivative of 1 / p.
 class Rim {
  public:
-  Rim(const View& view, const Plane& axes, const Wedge& wedge, double pixels_per_rise)
+  Rim(const View& view, const Plane& axes, const Wedge& wedge, const Projection::Scale& pixels)
       : wedge_(wedge),
         spacing_p_(axes.swapped ? view.spacing_y : view.spacing_x),
         spacing_q_(axes.swapped ? view.spacing_x : view.spacing_y),
         far_(view.far) {
-    // The second derivative of 1 / p is at most spacing_q^2 / (spacing_p far).
-    const double tallest = std::max(std::abs(view.voxels->highest() - view.z), std::abs(view.voxels->lowest() - view.z));
-    const double bend = spacing_q_ * spacing_q_ / (spacing_p_ * far_) * tallest * pixels_per_rise / 8;
+    const double tallest =
+        std::max(std::abs(view.voxels->highest() - view.z), std::abs(view.voxels->lowest() - view.z));
+    // Both sides of a pixel; 1 / p is bent most at u = 0.
+    const double error = 2 * std::sqrt(3.0) / 216 * bend(0) * tallest * pixels.per_v * pixels.per_u;
     const double wide = wedge.u1 - wedge.u0;
-    chords_ = static_cast<int>(std::clamp(std::ceil(wide * std::sqrt(bend / chord_error)), 1.0, most_chords));
+    chords_ = static_cast<int>(std::clamp(std::ceil(wide * std::cbrt(error / chord_error)), 1.0, most_chords));
+    shift_ = wide / chords_ * wide / chords_ / 12;
   }
 
   double exact(double u) const { return std::hypot(spacing_p_, u * spacing_q_) / far_; }
   double at(double u) const {
-    const double begin = place(chord(u)), end = place(chord(u) + 1);
-    return exact(begin) + (u - begin) / (end - begin) * (exact(end) - exact(begin));
+    const int k = chord(u);
+    const double begin = place(k), end = place(k + 1), first = corner(begin);
+    return first + (u - begin) / (end - begin) * (corner(end) - first);
+  }
+  // Where the chord over u ends.
+  double end_after(double u) const {
+    int k = chord(u) + 1;
+    while (place(k) <= u) ++k;
+    return place(k);
   }
   // No fewer are the chords whose inverse distances lie between two.
   std::size_t chords_between(double near, double far) const {
@@ -84,25 +95,24 @@ class Rim {
     };
     return static_cast<std::size_t>((u(near) - u(far)) / (wedge_.u1 - wedge_.u0) * chords_) + 4;
   }
-  // Where the chord over u ends.
-  double end_after(double u) const {
-    int k = chord(u) + 1;
-    while (place(k) <= u) ++k;
-    return place(k);
-  }
 
  private:
+  // The second derivative of 1 / p.
+  double bend(double u) const {
+    const double unit = std::hypot(spacing_p_, u * spacing_q_), area = spacing_p_ * spacing_q_;
+    return area * area / (unit * unit * unit * far_);
+  }
+  double corner(double u) const { return exact(u) - shift_ * bend(u); }
   int chord(double u) const {
     const double k = std::floor((u - wedge_.u0) / (wedge_.u1 - wedge_.u0) * chords_);
     return static_cast<int>(std::clamp(k, 0.0, chords_ - 1.0));
   }
-  double place(int k) const {
-    return k >= chords_ ? wedge_.u1 : wedge_.u0 + (wedge_.u1 - wedge_.u0) * k / chords_;
-  }
+  double place(int k) const { return k >= chords_ ? wedge_.u1 : wedge_.u0 + (wedge_.u1 - wedge_.u0) * k / chords_; }
 
   Wedge wedge_;
   double spacing_p_, spacing_q_, far_;
   int chords_;
+  double shift_;
 };
 
 class Sweep {
@@ -113,7 +123,7 @@ class Sweep {
         wedge_(wedge),
         range_(range),
         walk_(begun(view, axes)),
-        rim_(view, axes, wedge, projection.pixels_per_rise(range.part)),
+        rim_(view, axes, wedge, projection.scale_of(range.part)),
         skyline_(projection, wedge, Shower(walk_, projection, sink)),
         level_(view.voxels->level(0)) {
     const auto leg = walk_.leg();
@@ -126,7 +136,8 @@ class Sweep {
 
   std::uint64_t run() {
     if (!(view_.far > 0)) return 0;
-    const auto own_p = static_cast<std::int64_t>(std::floor(eye_p_)), own_q = static_cast<std::int64_t>(std::floor(eye_q_));
+    const auto own_p = static_cast<std::int64_t>(std::floor(eye_p_)),
+               own_q = static_cast<std::int64_t>(std::floor(eye_q_));
     const Cell& own = cell(own_p, own_q);
     if (own.height > view_.z) {
       skyline_.show().stand_at(&own, own_p, own_q, true);
@@ -136,9 +147,10 @@ class Sweep {
     const double highest = view_.voxels->highest() - view_.z;
     std::int64_t p = own_p;
     // No box before this distance reaches up to the picture.
-    if (highest < 0 && range_.start < 0) p = std::max(p, static_cast<std::int64_t>(eye_p_ + highest / range_.start) - 1);
+    if (highest < 0 && range_.start < 0)
+      p = std::max(p, static_cast<std::int64_t>(eye_p_ + highest / range_.start) - 1);
 
-    const double end = rim_.exact(wedge_.u0);
+    const double end = rim_.at(wedge_.u0);
     double lowest = -infinity;
     for (int rows = 1;; ++p, ++rows) {
       const double x0 = std::max(static_cast<double>(p) - eye_p_, 0.0), x1 = static_cast<double>(p + 1) - eye_p_;
@@ -203,20 +215,24 @@ class Sweep {
       const double next_u0 = std::max(std::min(outer * r1, end), u1);
       const double next_u1 = std::max(std::min(outer * r0, end), next_u0);
       const bool last = next_u0 >= end;
+      // Inverse distances where rays begin and end to enter through the side, and to leave through the other one. The
+      // wedge may begin and end between.
+      const double begun = inner * r1 < u0 ? u0 / inner : r1;
       const double entered = first || u1 < end ? r0 : u1 / inner;
+      const double turned = outer * r1 < u1 ? u1 / outer : r1;
       const double left = next_u1 < end ? r0 : next_u1 / outer;
       if (at_rim) {
         AtRim box{*this, top};
-        if (!first) box.template pass<true>(u1, {r1, r1}, {r1, entered});
-        box.template pass<false>(next_u0, {r1, r1}, {entered, entered});
+        if (!first) box.template pass<true>(u1, {r1, r1}, {begun, entered});
+        box.template pass<false>(next_u0, {turned, turned}, {entered, entered});
         if (!last) {
           box.bend();
           skyline_.fork();
-          box.template pass<false>(next_u1, {r1, left}, {entered, entered});
+          box.template pass<false>(next_u1, {turned, left}, {entered, entered});
         }
         box.end();
       } else if (low) {
-        const double far_edge = top * r1;
+        const double far_edge = top * turned;
         skyline_.begin_chain(far_edge);
         if (!first) skyline_.follow_branch(u1, far_edge);
         skyline_.follow(next_u0, far_edge);
@@ -228,7 +244,7 @@ class Sweep {
         skyline_.end_chain();
       } else {
         const double near_edge = top * entered;
-        skyline_.begin_chain(first ? near_edge : top * r1);
+        skyline_.begin_chain(first ? near_edge : top * begun);
         if (!first) {
           skyline_.follow_branch(u1, near_edge);
           skyline_.bend();

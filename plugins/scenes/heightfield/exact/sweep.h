@@ -12,7 +12,7 @@ namespace heightfield::exact {
 
 // What is asked for of a wedge.
 struct Range {
-  double start;          // v of the lowest direction of the picture in it: the sweep leaves out what lies below
+  double start;            // v of the lowest direction of the picture in it: the sweep leaves out what lies below
   double lowest, highest;  // v of the window
   std::span<const moire::Point> part;  // of the picture in the wedge
 };

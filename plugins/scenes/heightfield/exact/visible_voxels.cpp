@@ -70,7 +70,8 @@ std::uint64_t VisibleVoxels::visit(const moire::Rectangle& window, moire::Polygo
       const auto wanted = octant.projection.part_of(seen, wedge), part = octant.projection.part_of(picture, wedge);
       if (wanted.empty() || part.empty()) continue;
       const auto window_rises = octant.projection.rises_of(wanted);
-      const exact::Range range{octant.projection.rises_of(part).lowest, window_rises.lowest, window_rises.highest, part};
+      const exact::Range range{octant.projection.rises_of(part).lowest, window_rises.lowest, window_rises.highest,
+                               part};
       visited += exact::sweep(look_.view(), octant.axes, octant.projection, wedge, range, sink);
     }
   }

@@ -8,8 +8,8 @@
 namespace heightfield {
 
 // What rays that go their own way and meet boxes see (Model{}), no levels: within a wedge of directions, boxes are laid
-// before the horizon from near to far. The far limit's circle is followed by chords that leave it by less than 1e-10 of
-// a pixel.
+// before the horizon from near to far. The far limit's circle is followed by chords, so closely that no
+// pixel is off by more than 1e-10.
 class VisibleVoxels final : public moire::Polygons {
  public:
   // Requires: what is referred to outlives this. The manner of `look` is not looked at.
