@@ -95,6 +95,7 @@ TEST_CASE("mistakes in path data are told with the character where they are") {
   CHECK(problem("M 1 2 l 1e9 4") == "character 7: \"l\" reaches coordinate 1e+09; at most 1e+09 can be drawn");
   CHECK(problem("M 1 2 A 1e10 1 0 0 0 3 4") ==
         "character 7: \"A\" reaches coordinate 1e+10; at most 1e+09 can be drawn");
+  CHECK(problem("M 1 2 A 1 1 1e999 0 0 3 4") == "character 7: \"A\" is turned by inf degrees; at most 1e+09 are taken");
   CHECK(problem("M 1 2 Z 3 4") ==
         "character 9: has \"3 4\" where a command is expected; commands are MmLlHhVvCcSsQqTtAaZz");
 }
