@@ -113,10 +113,11 @@ class Strip {
   };
 
   void gather(const Edges& edges, std::span<const SamplePoint> points) {
-    const auto [left, right] = std::ranges::minmax(points, {}, &SamplePoint::x);
+    const auto ends = std::ranges::minmax(points, {}, &SamplePoint::x);
+    const double left = ends.min.x, right = ends.max.x;
     edges_.clear();
-    edges.in_column(edges.column_of(left.x), [&](const Edge& edge) {
-      if (edge.x0 <= right.x && edge.x1 > left.x) edges_.push_back(&edge);
+    edges.in_column(edges.column_of(left), [&](const Edge& edge) {
+      if (edge.x0 <= right && edge.x1 > left) edges_.push_back(&edge);
     });
     std::ranges::sort(edges_,
                       [](const Edge* p, const Edge* q) { return p->layer != q->layer ? p->layer > q->layer : p < q; });
@@ -129,7 +130,7 @@ class Strip {
         parts_.push_back({edge.layer, edge.inside, k, k, infinity, -infinity});
       }
       // y_at rises or falls with x, rounding included.
-      const double y0 = edge.y_at(std::max(left.x, edge.x0)), y1 = edge.y_at(std::min(right.x, edge.x1));
+      const double y0 = edge.y_at(std::max(left, edge.x0)), y1 = edge.y_at(std::min(right, edge.x1));
       Part& part = parts_.back();
       part.low = std::min({part.low, y0, y1});
       part.high = std::max({part.high, y0, y1});
@@ -157,11 +158,11 @@ class Strip {
 
 // Whether each point is above the one before, at the same x. Without branches: mostly they all are.
 bool climbs(std::span<const SamplePoint> points) {
-  bool is_climb = true;
+  int breaks = 0;
   for (std::size_t k = 1; k < points.size(); ++k) {
-    is_climb &= (points[k].x == points[k - 1].x) & (points[k].y <= points[k - 1].y);
+    breaks |= static_cast<int>(points[k].x != points[k - 1].x) | static_cast<int>(points[k].y > points[k - 1].y);
   }
-  return is_climb;
+  return breaks == 0;
 }
 
 }  // namespace
