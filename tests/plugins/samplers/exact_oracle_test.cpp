@@ -65,7 +65,7 @@ std::string failures(std::string_view kind, int pixels) {
 
 }  // namespace
 
-TEST_CASE("on 10,000 hard pixels each exact integrator gives each element its exact area") {
+TEST_CASE("each exact integrator gives each element its exact area in ten thousand hard pixels") {
   const auto kinds = hard_pixel_kinds();
   constexpr int thousand_layers = 20;
   const int others = (10000 - thousand_layers) / (static_cast<int>(kinds.size()) - 1) + 1;
