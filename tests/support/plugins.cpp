@@ -57,13 +57,18 @@ std::unique_ptr<Sampler> sampler(std::string_view name, const Changes& changes) 
 }
 
 Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* lookup, Manner manner, std::uint64_t seed) {
-  const ImageSize size = frame.size();
+  return rendered(*sampler.begin({.frame = frame, .lookup = lookup, .seed = seed}), frame.size(), manner);
+}
+
+Rendered rendered(const Rendering& rendering, ImageSize size, Manner manner) {
   Rendered image{
       size, std::vector<Content>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)), {}};
   const Workers workers(manner.threads, manner.block_width);
-  const auto rendering = sampler.begin({.frame = frame, .lookup = lookup, .seed = seed});
-  std::vector<Counters> counters(workers.blocks(size, Workers::order(*rendering, manner.recording)));
-  workers.render(*rendering, frame, manner.recording, [&](std::size_t index, const PixelBlock& block) {
+  const Blocks order = manner.order.value_or(Workers::order(rendering, manner.recording));
+  std::vector<Counters> counters(workers.blocks(size, order));
+  workers.for_each_block(frame, manner.recording, order, [&](std::size_t index, PixelBlock& block) {
+    rendering.render(block);
+    block.settle();
     counters[index] = block.counters;
     for (int x = block.x0; x < block.x0 + block.width; ++x) {
       for (int y = block.y0; y < block.y0 + block.height; ++y) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,10 +47,13 @@ struct Manner {
   int threads = 1;
   int block_width = Workers::default_block_width;
   bool recording = true;
+  std::optional<Blocks> order = {};  // none: what the host would choose
 };
 
 Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* lookup = nullptr, Manner manner = {},
                   std::uint64_t seed = 0);
+// One that has begun.
+Rendered rendered(const Rendering& rendering, ImageSize size, Manner manner = {});
 
 // A sentence about the first pixel whose weight, colour or fragments have other bits; empty if there is none. Fragments
 // are compared where both images have recorded them.

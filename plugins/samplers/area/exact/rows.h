@@ -115,12 +115,16 @@ class Rows {
   void row(int y) {
     path_.clear();
     for (Active& a : active_) trace(a, y);
-    // From row to row the order hardly changes.
+    // From row to row the order hardly changes. Equal ends are told apart, so that it does not depend on the rows
+    // above.
+    const auto is_before = [](const Active& a, const Active& b) {
+      return a.left < b.left || (a.left == b.left && a.last < b.last);
+    };
     for (std::size_t k = 1; k < active_.size(); ++k) {
-      if (!(active_[k].left < active_[k - 1].left)) continue;
+      if (!is_before(active_[k], active_[k - 1])) continue;
       const Active moved = active_[k];
       std::size_t place = k;
-      for (; place > 0 && moved.left < active_[place - 1].left; --place) active_[place] = active_[place - 1];
+      for (; place > 0 && is_before(moved, active_[place - 1]); --place) active_[place] = active_[place - 1];
       active_[place] = moved;
     }
 

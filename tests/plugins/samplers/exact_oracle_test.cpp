@@ -1,0 +1,77 @@
+// The three exact integrators on hard pixels, each against exact arithmetic: never against each other.
+#include <algorithm>
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "support/hard_pixels.h"
+#include "support/plugins.h"
+#include "support/rational_area.h"
+
+namespace moire::test {
+namespace {
+
+constexpr std::array integrators{"sweep", "prepared", "catmull"};
+
+// By element, as visible_areas() gives them.
+std::vector<double> weights(const Content& content, std::size_t polygons) {
+  std::vector<double> result(polygons + 1);
+  for (const Fragment& f : content.fragments) result[f.element == background ? polygons : f.element - 1] += f.weight;
+  return result;
+}
+
+// A sum of weights that differs from 1 by more than that is wrong whatever the coordinates.
+constexpr double sum_bound = 1e-12;
+
+struct Result {
+  double error = 0;      // the largest of all elements
+  double sum_error = 0;  // the largest of all pixels of the image
+};
+
+Result result(const HardPixel& pixel, const std::vector<double>& truth, const char* integrator) {
+  const PolygonFrame frame(pixel.size, pixel.polygons);
+  const Rendered image =
+      rendered(*sampler("area", {{"method", std::string("exact")}, {"integrator", std::string(integrator)}}), frame);
+  const std::vector<double> found = weights(image.at(pixel.x, pixel.y), pixel.polygons.size());
+  Result result;
+  for (std::size_t k = 0; k < truth.size(); ++k) result.error = std::max(result.error, std::abs(found[k] - truth[k]));
+  for (const Content& content : image.pixels) {
+    const std::vector<double> all = weights(content, pixel.polygons.size());
+    double sum = -1;
+    for (const double weight : all) sum += weight;
+    result.sum_error = std::max({result.sum_error, std::abs(sum), std::abs(content.weight - 1)});
+  }
+  return result;
+}
+
+// Of one kind; a line for each failure.
+std::string failures(std::string_view kind, int pixels) {
+  std::string lines;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(pixels); ++seed) {
+    const HardPixel pixel = hard_pixel(kind, seed);
+    const std::vector<double> truth = visible_areas(pixel.polygons, pixel.x, pixel.y);
+    const double bound = 1e-12 * std::max(1.0, pixel.largest_coordinate() / 1024);
+    for (const char* integrator : integrators) {
+      const auto [error, sum_error] = result(pixel, truth, integrator);
+      if (error <= bound && sum_error <= sum_bound) continue;
+      lines += fmt::format("{} of seed {}: {} is {:.2g} off, and its sums {:.2g}; {:.2g} and {:.2g} are allowed\n",
+                           kind, seed, integrator, error, sum_error, bound, sum_bound);
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("each exact integrator gives each element its exact area in ten thousand hard pixels") {
+  const auto kinds = hard_pixel_kinds();
+  constexpr int thousand_layers = 20;
+  const int others = (10000 - thousand_layers) / (static_cast<int>(kinds.size()) - 1) + 1;
+  for (const std::string_view kind : kinds) {
+    CHECK(failures(kind, kind == "a thousand layers" ? thousand_layers : others) == "");
+  }
+}
+
+}  // namespace moire::test
