@@ -33,7 +33,7 @@ class Renderer {
   void draw(const Workers& workers, const Rendering* previous = nullptr) {
     rendering_ = contender_->begin(frame_, 1, 0, previous);
     workers.render_runs(*rendering_, frame_, false,
-                   [&](std::size_t, const PixelBlock& block) { put(block, picture_); });
+                        [&](std::size_t, const PixelBlock& block) { put(block, picture_); });
   }
   const Rendering* rendering() const { return rendering_.get(); }
   const Picture& picture() const { return picture_; }

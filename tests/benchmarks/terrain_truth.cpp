@@ -68,7 +68,8 @@ void terrain_truth(const Catalog& catalog) {
         counter.voxels, static_cast<double>(counter.polygons) / seen, static_cast<double>(counter.corners) / seen);
     const auto blocks = interleaved({{"32", [&] { render(one); }}, {"all", [&] { render(whole); }}}, rounds);
     const Ratio waste = ratio(blocks[0], blocks[1]);
-    fmt::print("    {:<52} {:5.2f}  ({:.2f} .. {:.2f})\n", "exact area: blocks of 32 columns over the whole image", waste.median, waste.low, waste.high);
+    fmt::print("    {:<52} {:5.2f}  ({:.2f} .. {:.2f})\n", "exact area: blocks of 32 columns over the whole image",
+               waste.median, waste.low, waste.high);
     const auto both = interleaved({{"one", [&] { render(one); }}, {"two", [&] { render(two); }}}, rounds, Clock::wall);
     const Ratio r = ratio(both[0], both[1]);
     fmt::print("    {:<52} {:5.2f}  ({:.2f} .. {:.2f})   {}\n", "exact area: one thread over two", r.median, r.low,

@@ -57,10 +57,11 @@ std::unique_ptr<Sampler> sampler(std::string_view name, const Changes& changes) 
 }
 
 Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* lookup, Manner manner, std::uint64_t seed) {
-  return rendered(*sampler.begin({.frame = frame, .lookup = lookup, .seed = seed}), frame.size(), manner);
+  return rendered(*sampler.begin({.frame = frame, .lookup = lookup, .seed = seed}), frame, manner);
 }
 
-Rendered rendered(const Rendering& rendering, ImageSize size, Manner manner) {
+Rendered rendered(const Rendering& rendering, const Frame& frame, Manner manner) {
+  const ImageSize size = frame.size();
   Rendered image{
       size, std::vector<Content>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)), {}};
   const Workers workers(manner.threads, manner.block_width);

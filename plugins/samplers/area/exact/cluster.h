@@ -2,8 +2,8 @@
 //
 // Strands are pieces of chains. They are sorted by x into groups that do not touch. In a group everything behind the
 // foremost layer that covers all of it is left out, and what remains falls into groups again. A group of strands that
-// run side by side from one y to another without crossing is read from left to right; any other is divided in y, where a
-// strand ends or crosses its neighbour, as near the middle as there is such a place, and each part begins anew.
+// run side by side from one y to another without crossing is read from left to right; any other is divided in y, where
+// a strand ends or crosses its neighbour, as near the middle as there is such a place, and each part begins anew.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,8 @@ class Cluster {
       const Strand& s = strands[k];
       const PathPoint &a = s.path[0], &b = s.path[s.segments];
       const auto place = std::lower_bound(local_.begin(), local_.end(), s.layer) - local_.begin();
-      items_.push_back({k, static_cast<std::uint32_t>(place), 0, s.segments - 1, a.x, a.y, b.x, b.y, s.left, s.right, 0});
+      items_.push_back(
+          {k, static_cast<std::uint32_t>(place), 0, s.segments - 1, a.x, a.y, b.x, b.y, s.left, s.right, 0});
     }
   }
 
@@ -233,7 +234,8 @@ class Cluster {
       item.key = item.xa + item.xb +
                  (item.first == item.last ? item.xa + item.xb : 2 * x_on(item, segment_at(item, middle), middle));
     }
-    sort(begin, end, [](const Item& a, const Item& b) { return a.key < b.key || (a.key == b.key && a.strand < b.strand); });
+    sort(begin, end,
+         [](const Item& a, const Item& b) { return a.key < b.key || (a.key == b.key && a.strand < b.strand); });
     Cut cut(ya, yb);
     for (std::size_t k = begin + 1; k < end; ++k) compare(items_[k - 1], items_[k], cut);
     y = cut.y();

@@ -178,9 +178,9 @@ class RowPixels {
   }
 
   const Layers& layers_;
-  const int width_;
+  int width_;
   moire::PixelBlock& block_;
-  const Add add_;
+  Add add_;
   std::size_t slot_ = 0;
   std::vector<Cell> cells_;
   std::vector<std::vector<Passage>> passages_;  // in each pixel, from it on; only if recorded
