@@ -181,37 +181,28 @@ void hidden_runs(const Catalog& catalog) {
 
 }  // namespace
 
+void run_terrain(const Catalog& catalog) {
+  fmt::print("Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
+             rounds);
+  for (const TerrainView& view : views) {
+    fmt::print("  pitch {}\n", view.pitch_deg);
+    Bench(catalog, view).run();
+  }
+  hidden_runs(catalog);
+}
+
 }  // namespace moire::benchmark
 
-<<<<<<< HEAD
+// `moire_benchmarks` runs all; `drawings`, `terrain` or `truth` behind it, that part alone.
 int main(int argc, char** argv) {
-=======
-// `moire_benchmarks truth`: the exact picture alone.
-int main(int count, char** arguments) {
->>>>>>> terrain
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
     fmt::print(stderr, "moire_benchmarks: MOIRE_DATA is not set; point it at the data folder (terrain/puget_sound)\n");
     return 2;
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
-<<<<<<< HEAD
-  const std::string_view only = argc > 1 ? argv[1] : "";
-  if (only.empty() || only == "drawings") benchmark::run_drawings(catalog);
-  if (!only.empty() && only != "terrain") return 0;
-=======
-  if (count > 1 && std::string_view(arguments[1]) == "truth") {
-    benchmark::terrain_truth(catalog);
-    return 0;
-  }
->>>>>>> terrain
-  fmt::print(
-      "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
-      benchmark::rounds);
-  for (const benchmark::TerrainView& view : benchmark::views) {
-    fmt::print("  pitch {}\n", view.pitch_deg);
-    benchmark::Bench(catalog, view).run();
-  }
-  benchmark::hidden_runs(catalog);
-  benchmark::terrain_truth(catalog);
+  const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
+  if (is_wanted("drawings")) benchmark::run_drawings(catalog);
+  if (is_wanted("terrain")) benchmark::run_terrain(catalog);
+  if (is_wanted("truth")) benchmark::terrain_truth(catalog);
 }
