@@ -215,6 +215,20 @@ TEST_CASE("the exact picture is the same to the bit in blocks of any width, wher
   }
 }
 
+TEST_CASE("the exact picture is the same to the bit whether hidden voxels are passed over or not") {
+  const Map map = rough_map(48, 40, 40, 7);
+  const SmallTerrain terrain(map);
+  for (const double yaw : {0.0, 33.3, 135.0, 250.0}) {
+    for (const double pitch : {-16.0, -4.0}) {
+      const View view{
+          .caption = "", .x = 20.3, .y = 7.7, .z = 44, .yaw = yaw, .pitch = pitch, .far = 300, .size = {30, 20}};
+      CAPTURE(yaw, pitch);
+      const Rendered image = exact(*terrain.frame(view, {{"skip", std::string("off")}}));
+      CHECK(first_difference(image, exact(*terrain.frame(view, {{"skip", std::string("auto")}}))) == "");
+    }
+  }
+}
+
 TEST_CASE("only a terrain that is seen as it is has polygons, and says so") {
   const SmallTerrain terrain(usual_map());
   const View view{.caption = "", .x = 3.3, .y = 5.7, .z = 9};

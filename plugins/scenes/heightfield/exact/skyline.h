@@ -136,7 +136,7 @@ class Skyline {
 
   static double height_before(const Vertex* next, double u) {
     const Vertex &a = next[-1], &b = next[0];
-    return a.v == b.v ? a.v : a.v + (u - a.u) / (b.u - a.u) * (b.v - a.v);
+    return a.v == b.v || u == b.u ? b.v : a.v + (u - a.u) / (b.u - a.u) * (b.v - a.v);
   }
 
   void reserve(std::size_t vertices) {

@@ -125,7 +125,8 @@ class Sweep {
         walk_(begun(view, axes)),
         rim_(view, axes, wedge, projection.scale_of(range.part)),
         skyline_(projection, wedge, Shower(walk_, projection, sink)),
-        level_(view.voxels->level(0)) {
+        level_(view.voxels->level(0)),
+        swapped_(axes.swapped) {
     const auto leg = walk_.leg();
     eye_p_ = leg.eye_p, eye_q_ = leg.eye_q;
     places_p_ = (axes.swapped ? level_.rows : level_.columns).data();
@@ -158,6 +159,10 @@ class Sweep {
       if (r0 <= end) break;
       const double above = highest > 0 ? highest * r0 : highest * end;
       if (lowest >= range_.highest || lowest >= above || above < range_.lowest) break;
+      if (const std::int64_t hidden = hidden_rows(p, x0, lowest); hidden > 0) {
+        p += hidden - 1;
+        continue;
+      }
       if (r1 < rim_.exact(wedge_.u1)) {
         row<true>(p, x0, r0, r1);
       } else {
@@ -170,6 +175,21 @@ class Sweep {
 
  private:
   static constexpr int rows_between_looks = 8;
+
+  // Rows from p on, to the end of their block of summits, of which no box rises above the horizon's lowest place.
+  std::int64_t hidden_rows(std::int64_t p, double x0, double lowest) const {
+    const Summits& summits = level_.summits;
+    const auto at_p = static_cast<int>(p % period_p_);
+    if (view_.skip == Skip::nowhere || at_p % Summits::block != 0) return 0;
+    const int rows = summits.length(swapped_, at_p);
+    const double x1 = static_cast<double>(p + rows) - eye_p_;
+    const auto first = static_cast<std::int64_t>(eye_q_ + wedge_.u0 * x0);
+    const auto last = static_cast<std::int64_t>(eye_q_ + wedge_.u1 * x1);
+    const auto at_q = static_cast<int>(first % period_q_);
+    const double top = summits.highest({swapped_, at_p, at_q, static_cast<int>(last - first)}) - view_.z;
+    // Boxes as high as the horizon may be seen by their rounding errors.
+    return top / (top > 0 ? x0 : x1) < lowest - 1e-14 * std::abs(lowest) ? rows : 0;
+  }
 
   static Walk<true> begun(const View& view, const Plane& axes) {
     Walk<true> walk(view);
@@ -347,6 +367,7 @@ class Sweep {
   Rim rim_;
   Skyline<Shower> skyline_;
   const Voxels::Level& level_;
+  bool swapped_;
   double eye_p_, eye_q_;
   const std::int32_t *places_p_, *places_q_;  // where the cells of an index are
   std::int64_t period_p_, period_q_;
