@@ -182,8 +182,9 @@ void hidden_runs(const Catalog& catalog) {
 }  // namespace
 
 void run_terrain(const Catalog& catalog) {
-  fmt::print("Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
-             rounds);
+  fmt::print(
+      "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
+      rounds);
   for (const TerrainView& view : views) {
     fmt::print("  pitch {}\n", view.pitch_deg);
     Bench(catalog, view).run();
