@@ -10,6 +10,7 @@ std::span<const RegisteredMetric> registered_metrics() {
       RegisteredMetric{.description = &error_description, .make = make_error},
       RegisteredMetric{.description = &coverage_description, .make = make_coverage},
       RegisteredMetric{.description = &flicker_description, .make_temporal = make_flicker},
+      RegisteredMetric{.description = &energy_description, .make_temporal = make_energy},
       RegisteredMetric{.description = &speed_description},
       RegisteredMetric{.description = &cost_description, .is_analysis = true},
   };

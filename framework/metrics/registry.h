@@ -25,10 +25,11 @@ std::span<const PassDescription* const> metric_descriptions();
 // Requires: a name of one of them.
 const RegisteredMetric& registered_metric(std::string_view name);
 
-extern const PassDescription error_description, coverage_description, flicker_description, speed_description,
-    cost_description;
+extern const PassDescription error_description, coverage_description, flicker_description, energy_description,
+    speed_description, cost_description;
 std::unique_ptr<Metric> make_error(const Settings& settings);
 std::unique_ptr<Metric> make_coverage(const Settings& settings);
 std::unique_ptr<TemporalMetric> make_flicker(const Settings& settings, ImageSize image);
+std::unique_ptr<TemporalMetric> make_energy(const Settings& settings, ImageSize image);
 
 }  // namespace moire

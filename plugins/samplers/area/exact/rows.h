@@ -115,18 +115,7 @@ class Rows {
   void row(int y) {
     path_.clear();
     for (Active& a : active_) trace(a, y);
-    // From row to row the order hardly changes. Equal ends are told apart, so that it does not depend on the rows
-    // above.
-    const auto is_before = [](const Active& a, const Active& b) {
-      return a.left < b.left || (a.left == b.left && a.last < b.last);
-    };
-    for (std::size_t k = 1; k < active_.size(); ++k) {
-      if (!is_before(active_[k], active_[k - 1])) continue;
-      const Active moved = active_[k];
-      std::size_t place = k;
-      for (; place > 0 && is_before(moved, active_[place - 1]); --place) active_[place] = active_[place - 1];
-      active_[place] = moved;
-    }
+    sort();
 
     sink_.begin_row(y);
     std::size_t k = 0;
@@ -146,6 +135,26 @@ class Rows {
     sink_.end_row(cover_.front());
     for (; k < active_.size(); ++k) turn(active_[k]);
     std::erase_if(active_, [](const Active& a) { return a.point == ended; });
+  }
+
+  // From row to row the order hardly changes, unless many chains begin. Equal ends are told apart, so that it does not
+  // depend on the rows above.
+  void sort() {
+    const auto is_before = [](const Active& a, const Active& b) {
+      return a.left < b.left || (a.left == b.left && a.last < b.last);
+    };
+    std::size_t moves = 0;
+    for (std::size_t k = 1; k < active_.size(); ++k) {
+      if (!is_before(active_[k], active_[k - 1])) continue;
+      if (moves > 8 * active_.size()) {
+        std::sort(active_.begin(), active_.end(), is_before);
+        return;
+      }
+      const Active moved = active_[k];
+      std::size_t place = k;
+      for (; place > 0 && is_before(moved, active_[place - 1]); --place, ++moves) active_[place] = active_[place - 1];
+      active_[place] = moved;
+    }
   }
 
   // The winding number behind a strand changes if it reaches the row's bottom; others end in level stretches that lead
