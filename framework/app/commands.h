@@ -20,6 +20,7 @@ struct RunOptions {
   std::filesystem::path experiment;
   std::filesystem::path output;  // empty: results/<name of the experiment>
   int threads = 0;
+  bool fresh_references = false;  // none of an earlier run is used
   Overrides overrides;
   std::vector<std::string> command;  // as given, for the manifest
 };

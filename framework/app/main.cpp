@@ -48,6 +48,7 @@ void declare(CLI::App& cli, Options& o, std::function<int()>& chosen) {
   run->add_option("experiment", o.run.experiment, "A folder of experiments/, or its JSON file")->required();
   run->add_option("-o,--output", o.run.output, "Result folder (default: results/<experiment>)");
   run->add_option("-j,--threads", o.run.threads, "Threads (default: all cores)")->check(CLI::Range(1, 4096));
+  run->add_flag("--fresh-references", o.run.fresh_references, "Compute references again, whatever is kept");
   add_overrides(*run, o.run.overrides);
 
   CLI::App* report =

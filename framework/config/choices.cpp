@@ -73,12 +73,24 @@ const JsonNode* entry_type(const JsonNode& entry, const std::string& path, std::
   return type;
 }
 
+bool is_left_out(const JsonNode& entry, const std::string& path, const ChoiceContext& context) {
+  const Parameter& key = format::if_installed;
+  const JsonNode* node = entry.find(key.name);
+  if (node == nullptr) return false;
+  const auto cell = read_value(*node, member_path(path, key.name), key, "sampler", context.reading);
+  if (!cell || !std::get<bool>(cell->value)) return false;
+  const JsonNode* type = entry.find("type");
+  return type != nullptr && type->is(JsonKind::text) &&
+         context.vocabulary.catalog->find(Kind::sampler, type->text) == nullptr;
+}
+
 std::vector<Choice> read_entry(const JsonNode& entry, const std::string& path, Kind kind, bool takes_grids,
                                const ChoiceContext& context) {
   const Plugin* plugin = read_plugin(entry, path, kind, context);
   if (plugin == nullptr) return {};
   const auto table = format::parameters_of(*plugin, context.lookups);
-  constexpr std::string_view other_keys[] = {"label", "type", "use"};
+  std::vector<std::string_view> other_keys{"label", "type", "use"};
+  if (kind == Kind::sampler && takes_grids) other_keys.push_back(format::if_installed.name);
   const auto label = read_label(entry, path, context.reading.problems);
   const auto combinations = read_settings(entry, path, {plugin->name, table, other_keys, takes_grids}, context.reading);
   if (!label) return {};

@@ -31,6 +31,9 @@ struct ChoiceContext {
 std::vector<Choice> read_entry(const JsonNode& entry, const std::string& path, Kind kind, bool takes_grids,
                                const ChoiceContext& context);
 
+// Whether a sampler's entry is to be left out where its plugin is missing, and it is.
+bool is_left_out(const JsonNode& entry, const std::string& path, const ChoiceContext& context);
+
 // Finds `type` of an entry ("a sampler is a name or ..."); null after adding a problem.
 const JsonNode* entry_type(const JsonNode& entry, const std::string& path, std::string_view noun, Problems& problems);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "config/choices.h"
+#include "config/exact_settings.h"
 #include "config/experiment_format.h"
 #include "config/experiment_tree.h"
 #include "config/frames_reader.h"
@@ -120,12 +121,25 @@ class ExperimentReader {
     if (entries != &no_items_ && entries->items.empty())
       problems_.add(entries->place, key, "is an empty list; name one at least");
     std::vector<Choice> choices;
+    const ChoiceContext context{vocabulary_, lookups_, reading_};
     for (std::size_t i = 0; i < entries->items.size(); ++i) {
-      const auto more = read_entry(entries->items[i], item_path(key, i), kind, true, {vocabulary_, lookups_, reading_});
+      const JsonNode& entry = entries->items[i];
+      if (kind == Kind::sampler && is_left_out(entry, item_path(key, i), context)) {
+        leave_out(entry, item_path(key, i));
+        continue;
+      }
+      const auto more = read_entry(entry, item_path(key, i), kind, true, context);
       choices.insert(choices.end(), more.begin(), more.end());
     }
+    if (kind == Kind::sampler && !entries->items.empty() && experiment_.left_out.size() == entries->items.size())
+      problems_.add(entries->place, key, "has none that is installed; name one at least that is");
     name_choices(choices, kind == Kind::scene ? "scene" : "sampler", problems_);
     return choices;
+  }
+
+  void leave_out(const JsonNode& entry, const std::string& path) {
+    experiment_.left_out.push_back(
+        fmt::format("{}: \"{}\" is left out: no such sampler is installed", path, entry.find("type")->text));
   }
 
   std::string first_name(Kind kind) const {
@@ -165,14 +179,18 @@ class ExperimentReader {
   }
 
   void refuse_mismatches() {
-    std::vector<Choice> all = samplers_;
-    all.insert(all.end(), reference_.begin(), reference_.end());
-    for (const Choice& sampler : all) {
-      for (const Choice& scene : scenes_) {
-        const std::string problem = mismatch(scene_of(scene), sampler_of(sampler), vocabulary_);
-        if (!problem.empty()) problems_.add(sampler.place, sampler.path, problem);
-      }
+    for (const Choice& scene : scenes_) {
+      SceneChoice choice = scene_of(scene);
+      for (const Choice& sampler : samplers_) refuse_mismatch(choice, sampler);
+      // References see the exact scene.
+      choice.settings = exact_settings(*choice.plugin->scene, choice.settings);
+      for (const Choice& reference : reference_) refuse_mismatch(choice, reference);
     }
+  }
+
+  void refuse_mismatch(const SceneChoice& scene, const Choice& sampler) {
+    const std::string problem = mismatch(scene, sampler_of(sampler), vocabulary_);
+    if (!problem.empty()) problems_.add(sampler.place, sampler.path, problem);
   }
 
   void refuse_passes(const std::vector<PassEntry>& passes) {

@@ -46,7 +46,8 @@ struct Experiment {
   std::uint64_t seed = 1;
   Frames frames;
   std::vector<PassChoice> metrics, pictures;
-  bool keep_images = true;  // else images are only judged
+  bool keep_images = true;            // else images are only judged
+  std::vector<std::string> left_out;  // entries with if_installed whose plugins are not there: a sentence each
   // With every default filled in and every grid spread out; reading it gives this experiment again.
   nlohmann::ordered_json request;
 };

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "config/exact_settings.h"
 #include "config/experiment.h"
 #include "config/nearest_name.h"
 
@@ -33,8 +34,11 @@ Questions asked(const SamplerChoice& sampler, const Vocabulary& vocabulary) {
   return sampler.plugin->sampler->asks(sampler.settings) | (is_nearest ? Questions::none : Questions::surface);
 }
 
-// The known scenes that answer this with their default settings.
-std::string fitting_scenes(Questions questions, const Vocabulary& vocabulary) {
+// What would do: other settings of the scene, or the known scenes that answer this with their default settings.
+std::string advice_on(Questions questions, const SceneChoice& scene, const Vocabulary& vocabulary) {
+  const ScenePlugin& own = *scene.plugin->scene;
+  if (without(questions, own.answers(exact_settings(own, scene.settings))) == Questions::none)
+    return "it does with " + exact_note(own, scene.settings);
   std::vector<std::string_view> names;
   for (const Plugin* plugin : vocabulary.catalog->all(Kind::scene)) {
     const Questions answers = plugin->scene->answers(Settings(plugin->parameters()));
@@ -62,14 +66,14 @@ std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, con
   const Questions own = sampler.plugin->sampler->asks(sampler.settings);
   const bool is_for_lookup = without(missing, own) != Questions::none;
   return refusal(sampler.name, missing, is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "",
-                 scene, fitting_scenes(questions, vocabulary));
+                 scene, advice_on(questions, scene, vocabulary));
 }
 
 std::string mismatch(const SceneChoice& scene, const PassDescription& pass, const Settings& settings,
                      const Vocabulary& vocabulary) {
   const Questions questions = pass.asks(settings), missing = missing_in(scene, questions);
   if (missing == Questions::none) return "";
-  return refusal(pass.name, missing, "", scene, fitting_scenes(questions, vocabulary));
+  return refusal(pass.name, missing, "", scene, advice_on(questions, scene, vocabulary));
 }
 
 }  // namespace moire

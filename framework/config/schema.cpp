@@ -78,10 +78,13 @@ Json typed_object(std::string_view type, std::string_view summary) {
 }
 
 constexpr std::string_view label_meaning = "the name in reports and folders";
+const std::string if_installed_key(format::if_installed.name);
 constexpr std::string_view use_meaning = "a JSON file whose object is filled in under the keys given here";
 
 Json plugin_schema(const Plugin& plugin, std::string_view lookups, bool takes_grids) {
   Json schema = typed_object(plugin.name, plugin.summary());
+  if (plugin.sampler && takes_grids)
+    schema["properties"][if_installed_key] = parameter_schema(format::if_installed, false);
   schema["properties"]["label"] = {{"type", "string"}, {"minLength", 1}, {"description", label_meaning}};
   schema["properties"]["use"] = {{"type", "string"}, {"description", use_meaning}};
   add_parameters(format::parameters_of(plugin, lookups), takes_grids, schema);
@@ -113,6 +116,14 @@ Json plugin_entry_schema(Kind kind, const Vocabulary& vocabulary, bool takes_gri
                      {"properties", {{"use", {{"type", "string"}, {"description", use_meaning}}}}},
                      {"required", {"use"}},
                      {"not", {{"required", {"type"}}}}});
+  // What may be missing here can have any settings.
+  if (kind == Kind::sampler && takes_grids) {
+    objects.push_back(
+        {{"type", "object"},
+         {"properties",
+          {{"type", {{"type", "string"}, {"not", {{"enum", names}}}}}, {if_installed_key, {{"const", true}}}}},
+         {"required", {"type", if_installed_key}}});
+  }
   return entry_schema(names, objects);
 }
 

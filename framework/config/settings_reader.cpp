@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "config/experiment_format.h"
 #include "config/nearest_name.h"
 
 namespace moire {
@@ -86,9 +87,10 @@ class SettingsReader {
     const std::string_view group = std::string_view(prefix).substr(0, prefix.empty() ? 0 : prefix.size() - 1);
     if (prefix.empty()) {
       meant.insert(meant.end(), owner_.other_keys.begin(), owner_.other_keys.end());
-      // The type is there already, and `use` has been followed.
-      std::copy_if(owner_.other_keys.begin(), owner_.other_keys.end(), std::back_inserter(known),
-                   [](std::string_view key) { return key != "type" && key != "use"; });
+      // The type is there already, `use` has been followed, and whether it is installed is known.
+      std::copy_if(
+          owner_.other_keys.begin(), owner_.other_keys.end(), std::back_inserter(known),
+          [](std::string_view key) { return key != "type" && key != "use" && key != format::if_installed.name; });
     }
     const std::string hint = did_you_mean(member.key, meant);
     const std::string takes = known.empty() ? "no parameters" : listed(known);

@@ -6,6 +6,7 @@
 
 #include <moire/color.h>
 #include <moire/geometry.h>
+#include <moire/tally.h>
 
 namespace moire {
 
@@ -14,6 +15,9 @@ struct Picture {
   ImageSize size;
   std::vector<Color> pixels;
 };
+
+// Copies a block's colours into their place. Requires: the block lies in the picture.
+void put(const PixelBlock& block, Picture& picture);
 
 // Colour values are compared in linear light or as sRGB code values, in levels: 1/255 of full scale.
 enum class Space { linear, srgb };

@@ -43,7 +43,7 @@ class EnlargedPixel final : public PicturePass {
     view.own.for_each(slot, [&](const Fragment& f) {
       ++fragments_;
       reached += f.weight;
-      for (; row < side && (row + 0.5) * sum < reached * side; ++row) fill(view.frame, row, f.color);
+      for (; row < side && (row + 0.5) * sum < reached * side; ++row) fill(view.frame, row, view.own.light(f.color));
     });
   }
 

@@ -50,18 +50,21 @@ Markup name_value_table(const std::string& label, const std::vector<std::pair<st
 }
 
 std::string own_error(const ReportData& data, const SceneResult& scene) {
-  if (std::isnan(scene.reference_error)) return "";
-  const std::string how = scene.reference_error_how.empty() ? "" : ": " + scene.reference_error_how;
-  return fmt::format("Its own error is {} {}{}", readable_text(scene.reference_error), data.error_unit, how);
+  const std::string& how = scene.reference_error_how;
+  if (std::isnan(scene.reference_error)) return how.empty() ? "" : fmt::format(" Its own error is {}.", how);
+  return fmt::format(" Its own error is {} {}{}.", readable_text(scene.reference_error), data.error_unit,
+                     how.empty() ? "" : fmt::format(" ({})", how));
 }
 
 Markup reference_text(const ReportData& data, const SceneResult& scene) {
   if (scene.reference.empty())
     return tag("p", {{"class", "note"}}, "No reference: nothing here is judged by its error.");
-  const std::string error = own_error(data, scene);
-  return tag(
-      "p", {{"class", "note"}},
-      "Reference: " + tag("code", scene.reference) + ". " + error + (error.empty() || error.ends_with('.') ? "" : "."));
+  Markup text = "Reference: " + tag("code", scene.reference) + ", " + scene.reference_origin + ".";
+  text += own_error(data, scene);
+  if (!scene.fragments_reference.empty())
+    text += " Fragments are held against " + tag("code", scene.fragments_reference) +
+            ", on the frame that the contenders see.";
+  return tag("p", {{"class", "note"}}, text);
 }
 
 // One paragraph: what was compared with what.
@@ -142,6 +145,9 @@ Markup speed_against_error(const SceneView& view) {
   if (view.chart.points.empty()) return {};
   std::string note =
       "Left and down is better. The line is the Pareto front: no contender beats these in both; the others are dimmed.";
+  if (std::any_of(view.chart.points.begin(), view.chart.points.end(),
+                  [&](const ChartPoint& p) { return view.chart.floor > 0 && p.y <= view.chart.floor; }))
+    note += " Hollow points are below the reference\u2019s accuracy and stand at it: as good as can be told.";
   std::string missing;
   for (const std::string& name : view.not_in_chart) missing += (missing.empty() ? "" : ", ") + name;
   if (!missing.empty()) note += " Without both numbers, and so not shown: " + missing + ".";

@@ -42,6 +42,8 @@ void members(auto& file, Either<SceneResult> auto& scene) {
   file.field("reference", scene.reference);
   file.field("reference_error", scene.reference_error);
   file.field("reference_error_how", scene.reference_error_how);
+  file.field("reference_origin", scene.reference_origin);
+  file.field("fragments_reference", scene.fragments_reference);
   file.field("reference_image", scene.reference_image);
   file.field("detail_window", scene.detail_window);
 }

@@ -63,9 +63,13 @@ double best_value(const std::vector<const Row*>& rows, const std::vector<Line>& 
   return metric.lower_is_better ? lowest : highest;
 }
 
+bool is_below_reference(const Row& row, const SceneResult& scene) {
+  return is_size_of_error(row.metric) && scene.reference_error > 0 && row.value <= scene.reference_error;
+}
+
 Cell cell_of(const Row& row, int decimals, double best, const SceneResult& scene) {
   const auto bound = [&](double value) { return std::isnan(value) ? std::string() : readable_text(value, decimals); };
-  const bool is_below = row.metric == main_error && row.value < scene.reference_error;
+  const bool is_below = is_below_reference(row, scene);
   return {readable_text(row.value, decimals), bound(row.low), bound(row.high), row.value == best && !is_below,
           is_below};
 }
@@ -76,7 +80,9 @@ void fill_column(const Results& results, const SceneResult& scene, const Explana
   std::vector<double> values;
   for (const Line& line : lines) {
     rows.push_back(find_row(results, scene.name, line.sampler, metric.metric));
-    if (rows.back() && line.is_contender) values.push_back(rows.back()->value);
+    // What cannot be told from other small errors needs no digits.
+    if (rows.back() && line.is_contender && !is_below_reference(*rows.back(), scene))
+      values.push_back(rows.back()->value);
   }
   const int decimals = decimals_for(values);
   const double best = best_value(rows, lines, metric);

@@ -9,10 +9,9 @@
 namespace moire::report {
 
 struct Cell {
-  std::string value, low, high;  // as text; empty where there is none
-  bool is_best = false;          // of the contenders in its column; several may share it
-  bool is_below_reference =
-      false;  // smaller than the reference's own error: as good as can be told, so never best alone
+  std::string value, low, high;     // as text; empty where there is none
+  bool is_best = false;             // of the contenders in its column; several may share it
+  bool is_below_reference = false;  // not above the reference's own error: as good as can be told, so never best alone
 };
 
 struct Column {
@@ -58,5 +57,11 @@ std::string unit_of(const Results& results, const std::string& metric);
 // Metrics that reports treat by name: the error beside each picture, and the axes of speed against error.
 inline const std::string main_error = "error.rmse";
 inline const std::string main_speed = "speed.ms_per_frame";
+
+// Whether it is in the unit of the reference's own error, whose rmse is known: a mean is no greater than that, so what
+// is not above it cannot be told, and a maximum is not below its rmse.
+inline bool is_size_of_error(const std::string& metric) {
+  return metric == main_error || metric == "error.mae" || metric == "error.max";
+}
 
 }  // namespace moire::report

@@ -41,7 +41,7 @@ class Drawing {
     std::vector<double> xs, ys;
     for (const ChartPoint& p : chart.points) {
       xs.insert(xs.end(), {p.x, p.x_low, p.x_high});
-      ys.insert(ys.end(), {p.y, p.y_low, p.y_high});
+      for (double y : {p.y, p.y_low, p.y_high}) ys.push_back(told(y));
     }
     x_ = axis_around(xs, plot.x0, plot.x1);
     y_ = axis_around(ys, plot.y1, plot.y0);
@@ -56,7 +56,10 @@ class Drawing {
   }
 
  private:
-  Point place(const ChartPoint& p) const { return {x_.place(p.x), y_.place(p.y)}; }
+  // Where a value of y stands: on the floor if it cannot be told from others below.
+  double told(double y) const { return y < chart_.floor ? chart_.floor : y; }
+  bool is_on_floor(const ChartPoint& p) const { return chart_.floor > 0 && p.y <= chart_.floor; }
+  Point place(const ChartPoint& p) const { return {x_.place(p.x), y_.place(told(p.y))}; }
 
   Markup axes() const {
     Markup out;
@@ -115,12 +118,16 @@ class Drawing {
     for (std::size_t i = 0; i < chart_.points.size(); ++i) {
       const ChartPoint& p = chart_.points[i];
       const Point at = place(p);
-      Markup mark = tag("title", fmt::format("{}: {} {}, {} {}", p.label, chart_.x_axis, readable_text(p.x),
-                                             chart_.y_axis, readable_text(p.y)));
+      const std::string remark = is_on_floor(p) ? fmt::format(" ({})", chart_.floor_label) : "";
+      Markup mark = tag("title", fmt::format("{}: {} {}, {} {}{}", p.label, chart_.x_axis, readable_text(p.x),
+                                             chart_.y_axis, readable_text(p.y), remark));
       if (p.x_low < p.x_high) mark += line("interval", {x_.place(p.x_low), at.y}, {x_.place(p.x_high), at.y});
-      if (p.y_low < p.y_high) mark += line("interval", {at.x, y_.place(p.y_low)}, {at.x, y_.place(p.y_high)});
+      if (told(p.y_low) < told(p.y_high))
+        mark += line("interval", {at.x, y_.place(told(p.y_low))}, {at.x, y_.place(told(p.y_high))});
       mark += tag("circle", {{"cx", coordinate(at.x)}, {"cy", coordinate(at.y)}, {"r", "5"}}, "");
-      out += tag("g", {{"class", is_front_[i] ? "point" : "point dominated"}}, mark);
+      out += tag(
+          "g", {{"class", fmt::format("point{}{}", is_front_[i] ? "" : " dominated", is_on_floor(p) ? " below" : "")}},
+          mark);
     }
     return out;
   }
@@ -133,7 +140,7 @@ class Drawing {
     std::vector<std::string> texts;
     for (std::size_t i : order) {
       const ChartPoint& p = chart_.points[i];
-      texts.push_back(p.y == 0 ? p.label + " (0)" : p.label);
+      texts.push_back(p.y == 0 && !is_on_floor(p) ? p.label + " (0)" : p.label);
       wishes.push_back({place(p), text_width(texts.back())});
     }
     const auto placed = place_labels(wishes, label_height, plot, obstacles());

@@ -20,7 +20,8 @@ struct ChartPoint {
 struct Chart {
   std::string title, x_axis, y_axis;
   std::vector<ChartPoint> points;  // x > 0 and finite; y >= 0 and finite, 0 is drawn on the lower edge
-  double floor = std::numeric_limits<double>::quiet_NaN();  // values of y below cannot be told apart; NaN: no such
+  // Values of y below cannot be told apart: they are drawn on it, and marked. NaN: no such.
+  double floor = std::numeric_limits<double>::quiet_NaN();
   std::string floor_label;
 };
 

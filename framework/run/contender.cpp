@@ -7,17 +7,9 @@ namespace moire {
 
 Contender::Contender(const SamplerChoice& choice)
     : name_(choice.name),
+      continues_(choice.plugin->sampler->continues(choice.settings)),
       sampler_(make_sampler(*choice.plugin->sampler, choice.settings)),
       lookup_(make_lookup(choice.lookup)) {}
-
-void put(const PixelBlock& block, Picture& picture) {
-  for (int y = block.y0; y < block.y0 + block.height; ++y) {
-    for (int x = block.x0; x < block.x0 + block.width; ++x) {
-      picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
-                     static_cast<std::size_t>(x)] = block.color(block.slot(x, y));
-    }
-  }
-}
 
 Picture render_picture(const Contender& contender, const Frame& frame, int frame_number, std::uint64_t seed,
                        const Workers& workers) {
@@ -25,7 +17,7 @@ Picture render_picture(const Contender& contender, const Frame& frame, int frame
   Picture picture{size,
                   std::vector<Color>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height))};
   const auto rendering = contender.begin(frame, seed, frame_number);
-  workers.render(*rendering, size, false, [&](std::size_t, const PixelBlock& block) { put(block, picture); });
+  workers.render_runs(*rendering, frame, false, [&](std::size_t, const PixelBlock& block) { put(block, picture); });
   return picture;
 }
 

@@ -15,22 +15,24 @@ class Contender {
   // Error or any exception of the plugin's.
   explicit Contender(const SamplerChoice& choice);
   // A sampler without a plugin, of the host's own.
-  Contender(std::string name, std::unique_ptr<Sampler> sampler)
-      : name_(std::move(name)), sampler_(std::move(sampler)) {}
+  Contender(std::string name, std::unique_ptr<Sampler> sampler, bool continues = false)
+      : name_(std::move(name)), continues_(continues), sampler_(std::move(sampler)) {}
 
   const std::string& name() const { return name_; }
-  std::unique_ptr<Rendering> begin(const Frame& frame, std::uint64_t seed, int frame_number = 0) const {
-    return sampler_->begin({.frame = frame, .lookup = lookup_.get(), .seed = seed, .frame_number = frame_number});
+  // Whether it saves time by a previous rendering.
+  bool continues() const { return continues_; }
+  std::unique_ptr<Rendering> begin(const Frame& frame, std::uint64_t seed, int frame_number = 0,
+                                   const Rendering* previous = nullptr) const {
+    return sampler_->begin(
+        {.frame = frame, .lookup = lookup_.get(), .seed = seed, .frame_number = frame_number, .previous = previous});
   }
 
  private:
   std::string name_;
+  bool continues_;
   std::unique_ptr<Sampler> sampler_;
   std::unique_ptr<Lookup> lookup_;
 };
-
-// Copies a block's colours into their place.
-void put(const PixelBlock& block, Picture& picture);
 
 Picture render_picture(const Contender& contender, const Frame& frame, int frame_number, std::uint64_t seed,
                        const Workers& workers);

@@ -55,6 +55,7 @@ class Ranges {
 
 // What one renderer made of one frame, by range; or what it threw.
 struct Rendered {
+  std::unique_ptr<Rendering> rendering;  // kept only for the next batch to continue from
   std::vector<std::optional<PixelBlock>> blocks;
   std::vector<std::optional<MergedBlock>> exact;
   std::exception_ptr thrown;
@@ -62,8 +63,13 @@ struct Rendered {
 
 class FrameRun {
  public:
-  FrameRun(const FrameSource& source, const ReferenceChoice& reference, std::vector<Watched>& watched)
-      : source_(source), reference_(reference.sampler), watched_(watched), ranges_(watched) {}
+  FrameRun(const FrameSource& source, const References& references, std::vector<Watched>& watched)
+      : source_(source),
+        colors_(references.colors.sampler),
+        fragments_(references.fragments.sampler),
+        watched_(watched),
+        ranges_(watched),
+        last_(renderers()) {}
 
   void run(const Workers& workers, const std::function<void(double)>& advance) {
     const int first = ranges_.every_frame() ? 0 : source_.still;
@@ -82,6 +88,10 @@ class FrameRun {
   // A frame's renderers: all that are watched, then the reference on the exact frame, then on the contenders' frame.
   std::size_t renderers() const { return watched_.size() + 2; }
   Rendered& rendered(std::size_t k, std::size_t renderer) { return batch_[k * renderers() + renderer]; }
+  bool continues(std::size_t renderer) const {
+    if (renderer >= watched_.size()) return (renderer == watched_.size() ? colors_ : fragments_).continues();
+    return watched_[renderer].contender->continues();
+  }
 
   void render(int begin, int count, const Workers& workers) {
     std::vector<std::unique_ptr<Frame>> frames, exact_frames;
@@ -97,57 +107,68 @@ class FrameRun {
       const std::size_t renderer = renderers() - 1 - index / static_cast<std::size_t>(count);
       Rendered& out = rendered(k, renderer);
       const int number = begin + static_cast<int>(k);
+      const Rendering* const previous = last_[renderer].get();
       try {
         if (renderer < watched_.size()) {
           const Watched& w = watched_[renderer];
-          if (w.contender && w.failure.empty()) render_contender(*w.contender, *frames[k], number, out);
+          if (w.contender && w.failure.empty()) render_contender({*w.contender, *frames[k], number, previous}, out);
         } else if (renderer == watched_.size()) {
-          render_reference(*exact_frames[k], number, out);
+          render_reference({colors_, *exact_frames[k], number, previous}, out);
         } else {
-          render_exact(*frames[k], number, out);
+          render_exact({fragments_, *frames[k], number, previous}, out);
         }
       } catch (const Interrupted&) {
         throw;
       } catch (...) {
         out.thrown = std::current_exception();
       }
+      const bool is_last = number + 1 == begin + count;
+      if (out.rendering && !(is_last && continues(renderer))) out.rendering.reset();
     });
+    // The frames of a batch are made at once, so what they continue from is of the batch before.
+    for (std::size_t renderer = 0; renderer < renderers(); ++renderer) {
+      auto& rendering = rendered(static_cast<std::size_t>(count) - 1, renderer).rendering;
+      if (rendering) last_[renderer] = std::move(rendering);
+    }
   }
 
-  PixelBlock block(const Rendering& rendering, const Columns& columns, bool recording) const {
-    PixelBlock result({columns.x0, 0, columns.width, source_.image.height}, recording);
-    rendering.render(result);
+  // A frame that one renderer is to make.
+  struct Task {
+    const Contender& contender;
+    const Frame& frame;
+    int number;
+    const Rendering* previous;
+  };
+
+  PixelBlock block(const Task& task, const Columns& columns, bool recording, Rendered& out) const {
+    if (!out.rendering) out.rendering = task.contender.begin(task.frame, source_.seed, task.number, task.previous);
+    PixelBlock result({columns.x0, 0, columns.width, source_.image.height}, recording, Blocks::columns,
+                      task.frame.blend());
+    out.rendering->render(result);
     return result;
   }
 
   // A pass of the still alone is not served with other frames.
   bool is_wanted(const Range& range, int frame) const { return range.every_frame || frame == source_.still; }
 
-  void render_contender(const Contender& contender, const Frame& frame, int number, Rendered& out) const {
-    const auto rendering = contender.begin(frame, source_.seed, number);
+  void render_contender(const Task& task, Rendered& out) const {
     for (const Range& range : ranges_.all()) {
       auto& place = out.blocks.emplace_back();
-      if (is_wanted(range, number)) place = block(*rendering, range.columns, range.fragments);
+      if (is_wanted(range, task.number)) place = block(task, range.columns, range.fragments, out);
     }
   }
 
-  void render_reference(const Frame& frame, int number, Rendered& out) const {
-    std::unique_ptr<Rendering> rendering;
+  void render_reference(const Task& task, Rendered& out) const {
     for (const Range& range : ranges_.all()) {
       auto& place = out.blocks.emplace_back();
-      if (!range.reference || !is_wanted(range, number)) continue;
-      if (!rendering) rendering = reference_.begin(frame, source_.seed, number);
-      place = block(*rendering, range.columns, false);
+      if (range.reference && is_wanted(range, task.number)) place = block(task, range.columns, false, out);
     }
   }
 
-  void render_exact(const Frame& frame, int number, Rendered& out) const {
-    std::unique_ptr<Rendering> rendering;
+  void render_exact(const Task& task, Rendered& out) const {
     for (const Range& range : ranges_.all()) {
       auto& place = out.exact.emplace_back();
-      if (!range.exact || !is_wanted(range, number)) continue;
-      if (!rendering) rendering = reference_.begin(frame, source_.seed, number);
-      place = MergedBlock(block(*rendering, range.columns, true));
+      if (range.exact && is_wanted(range, task.number)) place = MergedBlock(block(task, range.columns, true, out));
     }
   }
 
@@ -175,17 +196,18 @@ class FrameRun {
   }
 
   const FrameSource& source_;
-  const Contender reference_;
+  const Contender colors_, fragments_;
   std::vector<Watched>& watched_;
   const Ranges ranges_;
   std::vector<Rendered> batch_;
+  std::vector<std::unique_ptr<Rendering>> last_;  // of each renderer that continues, the last of the batch before
 };
 
 }  // namespace
 
-void run_frames(const FrameSource& source, const ReferenceChoice& reference, std::vector<Watched>& watched,
+void run_frames(const FrameSource& source, const References& references, std::vector<Watched>& watched,
                 const Workers& workers, const std::function<void(double)>& advance) {
-  FrameRun(source, reference, watched).run(workers, advance);
+  FrameRun(source, references, watched).run(workers, advance);
 }
 
 }  // namespace moire

@@ -31,10 +31,10 @@ struct FrameSource {
   std::uint64_t seed;
 };
 
-// Shows every pass of every watched contender what it needs. `reference`: judges all; what it throws ends the run
+// Shows every pass of every watched contender what it needs. `references`: judge all; what they throw ends the run
 // as an Error that names the frame, what a contender throws becomes its `failure` and the others go on. `advance` is
 // told the share that is done.
-void run_frames(const FrameSource& source, const ReferenceChoice& reference, std::vector<Watched>& watched,
+void run_frames(const FrameSource& source, const References& references, std::vector<Watched>& watched,
                 const Workers& workers, const std::function<void(double)>& advance);
 
 }  // namespace moire

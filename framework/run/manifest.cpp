@@ -16,23 +16,6 @@ namespace moire {
 
 namespace {
 
-nlohmann::ordered_json json_of(const Settings& settings) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : settings.values()) std::visit([&](const auto& v) { json[name] = v; }, value);
-  return json;
-}
-
-// A scene's settings with files replaced by what is in them: where they lie changes nothing.
-nlohmann::ordered_json content_of(const SceneChoice& scene, ContentHashes& hashes) {
-  nlohmann::ordered_json json = json_of(scene.settings);
-  for (const Parameter& parameter : scene.plugin->parameters()) {
-    if (parameter.type != Type::file) continue;
-    const std::string& file = scene.settings.text(parameter.name);
-    if (!file.empty()) json[std::string(parameter.name)] = hashes.of(file);
-  }
-  return json;
-}
-
 // Metrics and pictures; timing is no part of a job.
 nlohmann::ordered_json passes_of(const Experiment& experiment) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -63,32 +46,15 @@ std::string date() {
 
 }  // namespace
 
-const std::string& ContentHashes::of(const std::filesystem::path& file) {
-  const auto found = known_.find(file);
-  return found != known_.end() ? found->second : known_.emplace(file, hash_of_file(file)).first->second;
-}
-
-std::vector<std::filesystem::path> data_files(const SceneChoice& scene) {
-  std::vector<std::filesystem::path> files;
-  for (const Parameter& parameter : scene.plugin->parameters()) {
-    if (parameter.type != Type::file) continue;
-    const std::string& file = scene.settings.text(parameter.name);
-    if (!file.empty()) files.emplace_back(file);
-  }
-  return files;
-}
-
 std::string job_key(const Experiment& experiment, const SceneChoice& scene, const SamplerChoice& sampler,
-                    const SamplerChoice& reference, ContentHashes& hashes) {
-  const auto content = [&](const SamplerChoice& s) {
-    return nlohmann::ordered_json{s.plugin->name, hashes.of(s.plugin->file), json_of(s.settings), s.lookup};
-  };
+                    const References& references, ContentHashes& hashes) {
   const nlohmann::ordered_json all{
-      {"program", hashes.of("/proc/self/exe")},
+      {"program", hashes.of_program()},
       {"image", {experiment.image.width, experiment.image.height}},
-      {"scene", {scene.plugin->name, hashes.of(scene.plugin->file), content_of(scene, hashes)}},
-      {"sampler", content(sampler)},
-      {"reference", content(reference)},
+      {"scene", content_of(scene, hashes)},
+      {"sampler", content_of(sampler, hashes)},
+      {"reference", content_of(references.colors.sampler, hashes)},
+      {"fragments", content_of(references.fragments.sampler, hashes)},
       {"frames", written(experiment.frames)},
       {"passes", passes_of(experiment)},
       {"seed", experiment.seed},
@@ -101,8 +67,7 @@ nlohmann::ordered_json make_manifest(const Experiment& experiment, std::span<con
   utsname system{};
   uname(&system);
   nlohmann::ordered_json manifest{
-      {"program",
-       {{"version", MOIRE_VERSION}, {"hash", hashes.of("/proc/self/exe")}, {"interface", interface_version}}},
+      {"program", {{"version", MOIRE_VERSION}, {"hash", hashes.of_program()}, {"interface", interface_version}}},
       {"compiler", fmt::format("{} {}", MOIRE_COMPILER, MOIRE_COMPILER_FLAGS)},
       {"build", MOIRE_BUILD_TYPE},
       {"command", command},
@@ -112,6 +77,7 @@ nlohmann::ordered_json make_manifest(const Experiment& experiment, std::span<con
       {"threads", threads},
       {"seed", experiment.seed},
   };
+  if (!experiment.left_out.empty()) manifest["left_out"] = experiment.left_out;
   std::map<std::string, const Plugin*> plugins;
   for (const SceneChoice& scene : experiment.scenes) plugins[scene.plugin->name] = scene.plugin;
   for (const SamplerChoice& sampler : experiment.samplers) plugins[sampler.plugin->name] = sampler.plugin;

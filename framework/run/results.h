@@ -31,9 +31,11 @@ struct SceneResult {
   std::string reference;  // recipe: "area[method=line,lines=32,layout=radial], levels=none"
   double reference_error = std::numeric_limits<double>::quiet_NaN();  // rmse, in units of error.rmse; NaN: no reference
   std::string reference_error_how;                                    // how that number was got, one sentence
-  std::filesystem::path reference_image;                              // below the result folder; empty if none
-  std::array<int, 4> detail_window{};  // x, y, width, height: what reports magnify; all 0: the middle of the image
-  std::string summary;                 // the plugin's sentence on what it is
+  std::string reference_origin;                                       // "computed now", "kept from before"
+  std::string fragments_reference;        // what fragments are held against, where that is another sampler; else empty
+  std::filesystem::path reference_image;  // below the result folder; empty if none
+  std::array<int, 4> detail_window{};     // x, y, width, height: what reports magnify; all 0: the middle of the image
+  std::string summary;                    // the plugin's sentence on what it is
 };
 
 struct ContenderResult {

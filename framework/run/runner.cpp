@@ -73,7 +73,7 @@ class SceneRun {
         results_(results) {}
 
   void run(ContentHashes& hashes) {
-    step("reference", [&] { prepare(); });
+    step("reference", [&] { prepare(hashes); });
     if (!frame_) {
       results_.failures.back().message += "; no contender ran on this scene";
       progress_.skip(steps_a_scene(experiment_) - 1);
@@ -82,8 +82,7 @@ class SceneRun {
     for (const SamplerChoice& sampler : experiment_.samplers) {
       step(sampler.name, [&] {
         judge(sampler);
-        results_.jobs[choice_.name + "/" + sampler.name] =
-            job_key(experiment_, choice_, sampler, reference_choice_.sampler, hashes);
+        results_.jobs[choice_.name + "/" + sampler.name] = job_key(experiment_, choice_, sampler, references_, hashes);
       });
     }
     if (!error_sum_.empty()) scene_result().detail_window = worst_window(error_sum_, experiment_.image);
@@ -116,25 +115,30 @@ class SceneRun {
 
   SceneResult& scene_result() { return results_.scenes.back(); }
 
-  void prepare() {
-    const ScenePlugin& plugin = *choice_.plugin->scene;
-    const Questions answered = plugin.answers(choice_.settings);
-    reference_choice_ =
-        experiment_.reference
-            ? ReferenceChoice{*experiment_.reference, {}, experiment_.reference->plugin->sampler->claims.exact}
-            : best_reference(catalog_, answered);
+  void prepare(ContentHashes& hashes) {
+    references_ = choose_references(experiment_.reference, catalog_, choice_);
     scene_ = &shared_.scene(choice_);
     const int still = experiment_.frames.still;
-    const Settings exact = exact_settings_at(still);
-    exact_frame_ = scene_->frame(exact, experiment_.image);
     auto frame = scene_->frame(settings_at(choice_.settings, experiment_.frames, still), experiment_.image);
 
-    reference_ = shared_.reference(reference_choice_, exact_note(plugin), exact, experiment_.image, still,
-                                   experiment_.seed, workers_);
+    SceneChoice exact = choice_;
+    exact.settings = exact_settings_at(still);
+    const ReferenceRequest request{.choice = references_.colors,
+                                   .scene = exact,
+                                   .changes = exact_note(*choice_.plugin->scene, choice_.settings),
+                                   .image = experiment_.image,
+                                   .frame_number = still,
+                                   .seed = experiment_.seed};
+    reference_ = shared_.reference(request, hashes, workers_);
+    progress_.note(fmt::format("{}: reference {}: {} ({})", choice_.name, reference_.recipe,
+                               trust_in(reference_, references_.colors), reference_.origin));
     SceneResult& result = scene_result();
     result.reference = reference_.recipe;
     result.reference_error = reference_.error;
     result.reference_error_how = reference_.how;
+    result.reference_origin = reference_.origin;
+    results_.manifest["references"][choice_.name] = {
+        {"recipe", result.reference}, {"how", result.reference_error_how}, {"origin", result.reference_origin}};
     if (experiment_.keep_images)
       result.reference_image = sink_.picture(choice_.name, reference_folder, reference_.picture);
     frame_ = std::move(frame);
@@ -144,22 +148,19 @@ class SceneRun {
     return exact_settings(*choice_.plugin->scene, settings_at(choice_.settings, experiment_.frames, frame));
   }
 
-  // "walk=grid, levels=none": the settings that the reference does not take from the experiment.
-  static std::string exact_note(const ScenePlugin& plugin) {
-    std::string note;
-    for (const Parameter& parameter : plugin.parameters) {
-      if (parameter.exact.empty()) continue;
-      note += fmt::format("{}{}={}", note.empty() ? "" : ", ", parameter.name, parameter.exact);
+  const std::vector<MergedBlock>& exact_blocks(Against against) {
+    if (against == Against::pixel) say_what_fragments_are_held_against();
+    std::vector<MergedBlock>& blocks = against == Against::column ? column_blocks_ : pixel_blocks_;
+    if (blocks.empty()) {
+      blocks = exact_fragments(against, references_.fragments, *frame_, experiment_.frames.still, experiment_.seed,
+                               workers_);
     }
-    return note;
+    return blocks;
   }
 
-  const std::vector<MergedBlock>& exact_blocks(Against against) {
-    std::vector<MergedBlock>& blocks = against == Against::column ? column_blocks_ : pixel_blocks_;
-    if (blocks.empty())
-      blocks =
-          exact_fragments(against, reference_choice_, *frame_, experiment_.frames.still, experiment_.seed, workers_);
-    return blocks;
+  void say_what_fragments_are_held_against() {
+    const std::string& fragments = references_.fragments.sampler.name;
+    if (fragments != references_.colors.sampler.name) scene_result().fragments_reference = fragments;
   }
 
   void judge(const SamplerChoice& sampler) {
@@ -186,7 +187,7 @@ class SceneRun {
     Picture picture{experiment_.image, std::vector<Color>(pixels)};
     const auto rendering = contender.begin(*frame_, experiment_.seed, experiment_.frames.still);
     std::vector<Counters> counters(workers_.blocks(experiment_.image, Workers::order(*rendering, recording)));
-    workers_.render(*rendering, experiment_.image, recording, [&](std::size_t index, const PixelBlock& block) {
+    workers_.render(*rendering, *frame_, recording, [&](std::size_t index, const PixelBlock& block) {
       put(block, picture);
       counters[index] = block.counters;
       for (const Pass& pass : passes) {
@@ -236,6 +237,9 @@ class SceneRun {
       if (results_.jobs.contains(choice_.name + "/" + sampler.name))
         all.push_back(watched(sampler.name, std::make_unique<Contender>(sampler)));
     }
+    for (const auto& pass : all.back().passes) {
+      if (pass && pass->needs().exact) say_what_fragments_are_held_against();
+    }
     const FrameSource source{*scene_,
                              [&](int frame) { return settings_at(choice_.settings, experiment_.frames, frame); },
                              [&](int frame) { return exact_settings_at(frame); },
@@ -243,7 +247,7 @@ class SceneRun {
                              experiment_.frames.count,
                              experiment_.frames.still,
                              experiment_.seed};
-    run_frames(source, reference_choice_, all, workers_, [&](double share) { progress_.advance(share); });
+    run_frames(source, references_, all, workers_, [&](double share) { progress_.advance(share); });
     for (const Watched& w : all) {
       if (w.failure.empty()) {
         keep(w);
@@ -314,9 +318,13 @@ class SceneRun {
       if (results_.jobs.contains(choice_.name + "/" + sampler.name))
         add(std::make_unique<Contender>(sampler), *frame_, false);
     }
-    SamplerChoice ceiling = reference_choice_.sampler;
-    ceiling.name = reference_name;
-    add(std::make_unique<Contender>(ceiling), *exact_frame_, true);
+    std::unique_ptr<Frame> exact_frame;
+    if (settings.flag("reference")) {
+      exact_frame = scene_->frame(exact_settings_at(experiment_.frames.still), experiment_.image);
+      SamplerChoice ceiling = references_.colors.sampler;
+      ceiling.name = reference_name;
+      add(std::make_unique<Contender>(ceiling), *exact_frame, true);
+    }
     const auto rows = measure_speed(choice_.name, timed, settings, experiment_.seed, workers_,
                                     [&](double share) { progress_.advance(share); });
     results_.rows.insert(results_.rows.end(), rows.begin(), rows.end());
@@ -331,9 +339,9 @@ class SceneRun {
   Progress& progress_;
   Results& results_;
 
-  ReferenceChoice reference_choice_;
+  References references_;
   const Scene* scene_ = nullptr;
-  std::unique_ptr<Frame> exact_frame_, frame_;
+  std::unique_ptr<Frame> frame_;
   Reference reference_;
   std::vector<MergedBlock> column_blocks_, pixel_blocks_;
   std::vector<double> error_sum_;
@@ -348,7 +356,7 @@ nlohmann::ordered_json chosen(const nlohmann::ordered_json& request, const char*
 }  // namespace
 
 Results run_experiment(const Experiment& experiment, const Catalog& catalog, const Workers& workers, Sink& sink,
-                       std::vector<std::string> command) {
+                       const ReferenceStore& store, std::vector<std::string> command) {
   ContentHashes hashes;
   Results results;
   results.experiment = experiment.name;
@@ -364,7 +372,7 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
                                   std::string(sampler.plugin->source())});
   }
 
-  Shared shared;
+  Shared shared(store);
   Progress progress(experiment.scenes.size() * steps_a_scene(experiment));
   try {
     for (std::size_t k = 0; k < experiment.scenes.size(); ++k) {

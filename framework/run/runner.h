@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/experiment.h"
+#include "run/reference_store.h"
 #include "run/results.h"
 #include "run/sink.h"
 #include "run/workers.h"
@@ -12,8 +13,8 @@
 namespace moire {
 
 // Failures of plugins become Failure entries, and the run goes on; Ctrl-C leaves `interrupted` set and what is
-// finished. Error: the sink cannot write.
+// finished. `store`: references of earlier runs. Error: the sink cannot write.
 Results run_experiment(const Experiment& experiment, const Catalog& catalog, const Workers& workers, Sink& sink,
-                       std::vector<std::string> command);
+                       const ReferenceStore& store, std::vector<std::string> command);
 
 }  // namespace moire

@@ -25,14 +25,18 @@ const Scene& Shared::scene(const SceneChoice& choice) {
   return *scene_;
 }
 
-const Reference& Shared::reference(const ReferenceChoice& choice, const std::string& scene_note, const Settings& exact,
-                                   ImageSize image, int frame_number, std::uint64_t seed, const Workers& workers) {
-  if (reference_name_ == choice.sampler.name && exact_ == exact) return reference_;
+const Reference& Shared::reference(const ReferenceRequest& request, ContentHashes& hashes, const Workers& workers) {
+  if (reference_name_ == request.choice.sampler.name && exact_ == request.scene.settings) {
+    reference_.recipe = recipe_of(request);
+    reference_.origin = "the same as above";
+    return reference_;
+  }
   reference_name_.clear();
-  const auto frame = scene_->frame(exact, image);
-  reference_ = make_reference(choice, scene_note, *frame, frame_number, seed, workers);
-  reference_name_ = choice.sampler.name;
-  exact_ = exact;
+  reference_ = store_.find_or_make(request, hashes, [&] {
+    return make_reference(request, *scene_->frame(request.scene.settings, request.image), workers);
+  });
+  reference_name_ = request.choice.sampler.name;
+  exact_ = request.scene.settings;
   return reference_;
 }
 

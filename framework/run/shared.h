@@ -3,22 +3,24 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
-#include "run/reference.h"
+#include "run/reference_store.h"
 
 namespace moire {
 
 class Shared {
  public:
+  // `store`: of references that outlive the run.
+  explicit Shared(const ReferenceStore& store) : store_(store) {}
+
   // The entry's scene. Error: what its plugin throws.
   const Scene& scene(const SceneChoice& choice);
 
-  // The reference of a frame of scene(choice) with `exact` settings.
-  const Reference& reference(const ReferenceChoice& choice, const std::string& scene_note, const Settings& exact,
-                             ImageSize image, int frame_number, std::uint64_t seed, const Workers& workers);
+  // The reference of a frame of the scene that was asked for last.
+  const Reference& reference(const ReferenceRequest& request, ContentHashes& hashes, const Workers& workers);
 
  private:
+  const ReferenceStore& store_;
   const Plugin* plugin_ = nullptr;
   Settings settings_;  // without what may differ from frame to frame
   std::unique_ptr<Scene> scene_;

@@ -44,7 +44,9 @@ Workers::Workers(int threads, int block_width)
 
 Workers::~Workers() = default;
 
-void Workers::run_blocks(ImageSize size, bool recording, Blocks order, BlockWork* work) const {
+void Workers::run_blocks(const Frame& frame, bool recording, Blocks order, BlockWork* work) const {
+  const ImageSize size = frame.size();
+  const Blend blend = frame.blend();
   const auto area = [&](std::size_t index) {
     const int first = static_cast<int>(index) * thickness(order);
     if (order == Blocks::rows) return PixelArea{0, first, size.width, std::min(thickness(order), size.height - first)};
@@ -54,7 +56,7 @@ void Workers::run_blocks(ImageSize size, bool recording, Blocks order, BlockWork
     if (block) {
       block->move_to(area(index));
     } else {
-      block.emplace(area(index), recording, order);
+      block.emplace(area(index), recording, order, blend);
     }
     (*work)(index, *block);
   };

@@ -31,21 +31,30 @@ class Workers {
     return recording ? Blocks::columns : rendering.blocks();
   }
 
-  // Calls consume(index, block) for every finished block, many at once; blocks are numbered from the left, or from the
-  // top. Throws what a renderer or consumer throws, or Interrupted.
+  // Calls consume(index, block) for every finished block of `frame`, which the rendering is of, many at once; blocks
+  // are numbered from the left, or from the top. Throws what a renderer or consumer throws, or Interrupted.
   template <class Consume>
-  void render(const Rendering& rendering, ImageSize size, bool recording, Consume consume) const {
-    for_each_block(size, recording, order(rendering, recording), [&](std::size_t index, PixelBlock& block) {
+  void render(const Rendering& rendering, const Frame& frame, bool recording, Consume consume) const {
+    render_runs(rendering, frame, recording, [&](std::size_t index, PixelBlock& block) {
+      block.settle();
+      consume(index, block);
+    });
+  }
+
+  // The same for a consumer that takes runs as runs (Tally::Run).
+  template <class Consume>
+  void render_runs(const Rendering& rendering, const Frame& frame, bool recording, Consume consume) const {
+    for_each_block(frame, recording, order(rendering, recording), [&](std::size_t index, PixelBlock& block) {
       rendering.render(block);
       consume(index, block);
     });
   }
 
-  // Calls work(index, block) for every block of the image, empty.
+  // Calls work(index, block) for every block of the frame, empty.
   template <class Work>
-  void for_each_block(ImageSize size, bool recording, Blocks order, Work work) const {
+  void for_each_block(const Frame& frame, bool recording, Blocks order, Work work) const {
     Call<Work> call{work};
-    run_blocks(size, recording, order, &call);
+    run_blocks(frame, recording, order, &call);
   }
 
   // Calls work(0) .. work(count - 1), many at once. Throws what `work` throws, or Interrupted.
@@ -67,7 +76,7 @@ class Workers {
     void operator()(std::size_t index, PixelBlock& block) override { work(index, block); }
     Work& work;
   };
-  void run_blocks(ImageSize size, bool recording, Blocks order, BlockWork* work) const;
+  void run_blocks(const Frame& frame, bool recording, Blocks order, BlockWork* work) const;
   // Of rows, so many that those of a wide image stay in a core's own cache.
   int thickness(Blocks order) const { return order == Blocks::columns ? block_width_ : (block_width_ + 1) / 2; }
 

@@ -71,7 +71,7 @@ TEST_CASE("list names what there is, and as JSON too") {
   CHECK(text.err == "");
   for (const char* line :
        {"samplers\n", "\nscenes\n", "\nmetrics\n", "\npictures\n", "\nlookups\n", "\n  point            ",
-        "\n  heightfield      ", "\n  coverage         ", "\n  linear_across    "})
+        "\n  cartoon          ", "\n  heightfield      ", "\n  coverage         ", "\n  linear_across    "})
     CHECK(text.out.find(line) != std::string::npos);
 
   const auto json = nlohmann::json::parse(desk.moire({"list", "--json"}).out);
@@ -88,7 +88,7 @@ TEST_CASE("list names what there is, and as JSON too") {
 TEST_CASE("a list of one kind is a part of the whole") {
   const Desk desk;
   const Ended part = desk.moire({"list", "scenes"});
-  CHECK(part.out.starts_with("scenes\n  heightfield "));
+  CHECK(part.out.starts_with("scenes\n  cartoon "));
   CHECK(desk.moire({"list"}).out.find(part.out) != std::string::npos);
 }
 

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <thread>
@@ -85,6 +86,17 @@ Ended Running::wait() {
   process_ = 0;
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), bytes_of(streams_.path() / "out"),
           bytes_of(streams_.path() / "err")};
+}
+
+std::string without_references(const std::string& err) {
+  std::string result;
+  for (std::size_t begin = 0; begin < err.size();) {
+    const std::size_t end = std::min(err.find('\n', begin), err.size() - 1) + 1;
+    const std::string line = err.substr(begin, end - begin);
+    if (line.find(": reference ") == std::string::npos) result += line;
+    begin = end;
+  }
+  return result;
 }
 
 fs::path Desk::file(const fs::path& name, std::string_view bytes) const {

@@ -20,6 +20,9 @@ struct Ended {
   std::string out, err;
 };
 
+// Standard error of a run without the lines on references, which have numbers in them.
+std::string without_references(const std::string& err);
+
 // A command at work.
 class Running {
  public:

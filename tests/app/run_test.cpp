@@ -57,6 +57,8 @@ Names samplers_in(const Results& results) {
   return result;
 }
 
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 }  // namespace
 
 TEST_CASE("a run writes exactly the files of a result folder") {
@@ -86,7 +88,7 @@ TEST_CASE("an animation's pictures lie beside its images, and flicker is measure
   const TinyDesk desk(moving_experiment());
   const Ended ended = desk.moire({"run", "tiny", "-o", "out"});
   CHECK(ended.code == 0);
-  CHECK(ended.err ==
+  CHECK(without_references(ended.err) ==
         "[1/4] hills / reference\n[2/4] hills / point\n[3/4] hills / supersample[n=2]\n[4/4] hills / frames\n");
 
   Names drawn;
@@ -183,8 +185,82 @@ TEST_CASE("progress goes to stderr, a line a job, and the summary to stdout") {
   const TinyDesk desk(tiny_experiment(R"(["point"])", R"(["error", {"type": "speed", "rounds": 1}])"));
   const Ended ended = desk.moire({"run", "tiny", "-o", "out"});
   CHECK(ended.code == 0);
-  CHECK(ended.err == "[1/3] hills / reference\n[2/3] hills / point\n[3/3] hills / speed\n");
+  CHECK(without_references(ended.err) == "[1/3] hills / reference\n[2/3] hills / point\n[3/3] hills / speed\n");
   CHECK(ended.out == report::summary_text(report::read_json(desk.path() / "out")) + "\nReport: out/report.html\n");
+}
+
+TEST_CASE("a reference is computed once for all runs, and every report says where it came from") {
+  const TinyDesk desk;
+  const Environment cache{{"MOIRE_CACHE", (desk.path() / "cache").string()}};
+  const auto run = [&](const char* folder, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"run", "tiny", "-o", folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = desk.moire(arguments, cache);
+    CHECK(ended.code == 0);
+    return ended.err;
+  };
+  const std::string first = run("first");
+  CHECK(has(first, "\nhills: reference area["));
+  CHECK(has(first, " (computed now)\n"));
+  CHECK(desk.files("cache/references").size() == 2);
+  const std::string second = run("second");
+  CHECK(has(second, " (kept from before)\n"));
+  CHECK(desk.files("first/images") == desk.files("second/images"));
+  CHECK(desk.bytes("first/results.csv") == desk.bytes("second/results.csv"));
+
+  const auto origin = [&](const char* folder) {
+    return report::read_json(desk.path() / folder).scenes.at(0).reference_origin;
+  };
+  CHECK(origin("first") == "computed now");
+  CHECK(origin("second") == "kept from before");
+  CHECK(has(desk.bytes("second/report.html"), "kept from before"));
+  CHECK(has(desk.bytes("second/manifest.json"), "kept from before"));
+
+  CHECK(has(run("third", {"--fresh-references"}), " (computed now)\n"));
+  // Another seed is no other reference where none draws random numbers; another image is.
+  CHECK(has(run("fourth", {"--set", "seed=9"}), " (kept from before)\n"));
+  CHECK(has(run("fifth", {"--set", "image.width=25"}), " (computed now)\n"));
+}
+
+TEST_CASE("references are kept in the .cache of the project, and nowhere without one") {
+  const TinyDesk desk;
+  REQUIRE(desk.moire({"run", "tiny", "-o", "out"}).code == 0);
+  CHECK_FALSE(std::filesystem::exists(desk.path() / ".cache"));
+  desk.file("configs/readme.md", "A project.");
+  REQUIRE(desk.moire({"run", "tiny", "-o", "out"}).code == 0);
+  CHECK(desk.files(".cache/references").size() == 2);
+}
+
+TEST_CASE("a cache that cannot be used costs nothing but time") {
+  const TinyDesk desk;
+  desk.file("cache", "a file");
+  const Ended ended = desk.moire({"run", "tiny", "-o", "out"}, {{"MOIRE_CACHE", "cache"}});
+  CHECK(ended.code == 0);
+  CHECK(has(ended.err, " (computed now; not kept, cache/references: "));
+}
+
+TEST_CASE("a sampler that may be missing is left out with a note, and the run is whole") {
+  const TinyDesk desk(tiny_experiment(R"(["point", {"type": "cairo", "if_installed": true, "fast": true}])"));
+  const std::string note = "samplers[1]: \"cairo\" is left out: no such sampler is installed\n";
+  const Ended run = desk.moire({"run", "tiny", "-o", "out"}), check = desk.moire({"check", "tiny"});
+  CHECK(run.code == 0);
+  CHECK(run.err.starts_with(note));
+  CHECK(samplers_in(report::read_json(desk.path() / "out")) == Names{"hills/point"});
+  CHECK(has(desk.bytes("out/report.html"), "is left out"));
+  CHECK(check.code == 0);
+  CHECK(check.err == note);
+  CHECK(check.out == "tiny: 1 scene, 1 sampler, 2 metrics: nothing is wrong.\n");
+}
+
+TEST_CASE("the reference is timed unless speed is told not to") {
+  const TinyDesk desk(tiny_experiment(R"(["point"])", R"([{"type": "speed", "rounds": 1}])"));
+  const auto timed = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "tiny", "-o", "out"});
+    REQUIRE(desk.moire(more).code == 0);
+    return samplers_in(report::read_json(desk.path() / "out"));
+  };
+  CHECK(timed({}) == Names{"hills/nothing", "hills/point", "hills/reference"});
+  CHECK(timed({"--set", "metrics[0].reference=false"}) == Names{"hills/nothing", "hills/point"});
 }
 
 TEST_CASE("the experiment that a run leaves gives the same images again, and the same experiment") {
@@ -255,7 +331,7 @@ TEST_CASE("Ctrl-C ends a run cleanly: what is finished is kept and reported") {
   run.interrupt();
   const Ended ended = run.wait();
   CHECK(ended.code == 1);
-  CHECK(ended.err == "[1/4] hills / reference\n[2/4] hills / point\n[3/4] hills / slow\n");
+  CHECK(without_references(ended.err) == "[1/4] hills / reference\n[2/4] hills / point\n[3/4] hills / slow\n");
   CHECK(ended.out.find("\ninterrupted: only what had finished is shown\n") != std::string::npos);
 
   const Results results = report::read_json(desk.path() / "out");

@@ -1,11 +1,14 @@
 // Benchmarks of the foundation: what the plugin boundary, recording and each method cost, as ratios of one process.
 #include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "drawings.h"
 #include "interleaved.h"
 #include "packet.h"
 #include "sampling/lookups.h"
+#include "terrain_truth.h"
 #include "terrain_views.h"
 
 namespace moire::benchmark {
@@ -42,7 +45,7 @@ class Bench {
     return {name, [&contender, &frame, recording, &workers, this] {
               const auto rendering = contender.begin(frame, 1);
               std::vector<Counters> blocks(workers.blocks(size, Workers::order(*rendering, recording)));
-              workers.render(*rendering, size, recording,
+              workers.render(*rendering, frame, recording,
                              [&](std::size_t index, const PixelBlock& block) { blocks[index] = block.counters; });
               counters_ = {};
               for (const Counters& block : blocks) counters_ += block;
@@ -50,7 +53,8 @@ class Bench {
   }
   Work one_piece(const std::string& name, void (OnePiece::*loop)(PixelBlock&) const) {
     return {name, [this, loop] {
-              one_.for_each_block(size, false, Blocks::columns, [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
+              one_.for_each_block(*frame_, false, Blocks::columns,
+                                  [&](std::size_t, PixelBlock& block) { (one_piece_.*loop)(block); });
             }};
   }
 
@@ -61,7 +65,7 @@ class Bench {
     const auto linear = contender(catalog_, "area", {}, "linear_across");
     const auto alone = [&](const Lookup* lookup) {
       return Work{"one by one", [this, lookup] {
-                    one_.render(OneByOne(*frame_, lookup), size, false, [](std::size_t, const PixelBlock&) {});
+                    one_.render(OneByOne(*frame_, lookup), *frame_, false, [](std::size_t, const PixelBlock&) {});
                   }};
     };
     const auto t = interleaved({frame_of("nearest", *nearest, *frame_, false, one_), alone(nullptr),
@@ -95,7 +99,7 @@ class Bench {
          frame_of("area recorded", *area, *frame_, true, one_),
          frame_of("supersample 16 recorded", *sixteen, *frame_, true, one_),
          {"area one by one",
-          [this] { one_.render(OneByOne(*frame_, nullptr), size, false, [](std::size_t, const PixelBlock&) {}); }}},
+          [this] { one_.render(OneByOne(*frame_, nullptr), *frame_, false, [](std::size_t, const PixelBlock&) {}); }}},
         rounds);
     frame_of("point", *point, *frame_, false, one_).run();
     const double steps = static_cast<double>(counters_.steps);
@@ -164,8 +168,8 @@ void hidden_runs(const Catalog& catalog) {
       frames.push_back(scene->frame(settings, size));
       const Frame* frame = frames.back().get();
       const auto ignore = [](std::size_t, const PixelBlock&) {};
-      works.push_back({skip, [&, frame, ignore] { one.render(*area->begin(*frame, 1), size, false, ignore); }});
-      works.push_back({skip, [&, frame, ignore] { one.render(OneByOne(*frame, nullptr), size, false, ignore); }});
+      works.push_back({skip, [&, frame, ignore] { one.render(*area->begin(*frame, 1), *frame, false, ignore); }});
+      works.push_back({skip, [&, frame, ignore] { one.render(OneByOne(*frame, nullptr), *frame, false, ignore); }});
     }
     const auto t = interleaved(works, 5);
     fmt::print("  pitch 5, relief 300, levels {}: {:.1f} ms side by side, {:.1f} one by one\n", levels, t[2].median(),
@@ -179,13 +183,28 @@ void hidden_runs(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-int main() {
+<<<<<<< HEAD
+int main(int argc, char** argv) {
+=======
+// `moire_benchmarks truth`: the exact picture alone.
+int main(int count, char** arguments) {
+>>>>>>> terrain
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
     fmt::print(stderr, "moire_benchmarks: MOIRE_DATA is not set; point it at the data folder (terrain/puget_sound)\n");
     return 2;
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
+<<<<<<< HEAD
+  const std::string_view only = argc > 1 ? argv[1] : "";
+  if (only.empty() || only == "drawings") benchmark::run_drawings(catalog);
+  if (!only.empty() && only != "terrain") return 0;
+=======
+  if (count > 1 && std::string_view(arguments[1]) == "truth") {
+    benchmark::terrain_truth(catalog);
+    return 0;
+  }
+>>>>>>> terrain
   fmt::print(
       "Median of {} rounds (quartiles), time of one thread, 400 x 400 pixels, Puget Sound, relief 30, levels floor.\n",
       benchmark::rounds);
@@ -194,4 +213,5 @@ int main() {
     benchmark::Bench(catalog, view).run();
   }
   benchmark::hidden_runs(catalog);
+  benchmark::terrain_truth(catalog);
 }

@@ -19,7 +19,7 @@ double coverage_ratio(const SamplerChoice& sampler, const Frame& frame, const st
   const auto metric = make_coverage(settings);
   metric->begin(frame.size());
   const Contender contender(sampler);
-  workers.render(*contender.begin(frame, 1), frame.size(), true,
+  workers.render(*contender.begin(frame, 1), frame, true,
                  [&](std::size_t index, const PixelBlock& block) { metric->block(block, exact[index]); });
   const Picture nothing{frame.size(), std::vector<Color>(static_cast<std::size_t>(frame.size().width) *
                                                          static_cast<std::size_t>(frame.size().height))};

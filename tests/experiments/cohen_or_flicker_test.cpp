@@ -28,8 +28,8 @@ std::map<std::string, double> excess(const Experiment& experiment, const SceneCh
     Watched& w = watched.emplace_back(Watched{sampler.name, std::make_unique<Contender>(sampler), {}, ""});
     w.passes.push_back(make_flicker(settings, experiment.image));
   }
-  const auto reference = best_reference(test::catalog(), choice.plugin->scene->answers(choice.settings));
-  run_frames(source, reference, watched, Workers(2), [](double) {});
+  const References references = choose_references({}, test::catalog(), choice);
+  run_frames(source, references, watched, Workers(2), [](double) {});
   std::map<std::string, double> result;
   for (const Watched& w : watched) {
     for (const Measurement& m : static_cast<const TemporalMetric&>(*w.passes.front()).finish()) {

@@ -57,17 +57,19 @@ std::unique_ptr<Sampler> sampler(std::string_view name, const Changes& changes) 
 }
 
 Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* lookup, Manner manner, std::uint64_t seed) {
-  return rendered(*sampler.begin({.frame = frame, .lookup = lookup, .seed = seed}), frame.size(), manner);
+  return rendered(*sampler.begin({.frame = frame, .lookup = lookup, .seed = seed}), frame, manner);
 }
 
-Rendered rendered(const Rendering& rendering, ImageSize size, Manner manner) {
+Rendered rendered(const Rendering& rendering, const Frame& frame, Manner manner) {
+  const ImageSize size = frame.size();
   Rendered image{
       size, std::vector<Content>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)), {}};
   const Workers workers(manner.threads, manner.block_width);
   const Blocks order = manner.order.value_or(Workers::order(rendering, manner.recording));
   std::vector<Counters> counters(workers.blocks(size, order));
-  workers.for_each_block(size, manner.recording, order, [&](std::size_t index, PixelBlock& block) {
+  workers.for_each_block(frame, manner.recording, order, [&](std::size_t index, PixelBlock& block) {
     rendering.render(block);
+    block.settle();
     counters[index] = block.counters;
     for (int x = block.x0; x < block.x0 + block.width; ++x) {
       for (int y = block.y0; y < block.y0 + block.height; ++y) {

@@ -53,7 +53,7 @@ struct Manner {
 Rendered rendered(const Sampler& sampler, const Frame& frame, const Lookup* lookup = nullptr, Manner manner = {},
                   std::uint64_t seed = 0);
 // One that has begun.
-Rendered rendered(const Rendering& rendering, ImageSize size, Manner manner = {});
+Rendered rendered(const Rendering& rendering, const Frame& frame, Manner manner = {});
 
 // A sentence about the first pixel whose weight, colour or fragments have other bits; empty if there is none. Fragments
 // are compared where both images have recorded them.

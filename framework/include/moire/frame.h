@@ -89,10 +89,6 @@ class Surface {
 // Lines and circles with their real end points; defined by the first scene that has them.
 class Curves;
 
-// What a frame's colours are, and so what is averaged: linear light, or the sRGB code values (0 .. 1) that files store.
-// The host turns averages of code values into light when they are pixels.
-enum class Blend { linear, as_stored };
-
 // Immutable, and safe to use from many threads. A question that the scene has no structure for is a null pointer.
 class Frame {
  public:

@@ -36,12 +36,8 @@ struct Affine {
 // First `first`, then `second`.
 inline Affine then(const Affine& first, const Affine& second) {
   const Point origin = second({first.x0, first.y0});
-  return {second.xx * first.xx + second.xy * first.yx,
-          second.xx * first.xy + second.xy * first.yy,
-          origin.x,
-          second.yx * first.xx + second.yy * first.yx,
-          second.yx * first.xy + second.yy * first.yy,
-          origin.y};
+  return {second.xx * first.xx + second.xy * first.yx, second.xx * first.xy + second.xy * first.yy, origin.x,
+          second.yx * first.xx + second.yy * first.yx, second.yx * first.xy + second.yy * first.yy, origin.y};
 }
 
 // A point in homogeneous image coordinates: (x / w, y / w), or the direction (x, y) where w is 0.

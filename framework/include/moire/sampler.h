@@ -29,7 +29,7 @@ struct RenderRequest {
   std::uint64_t seed = 0;
   int frame_number = 0;
   // Of the same sampler on an earlier frame of the same scene: may save time, never changes the result. It is gone
-  // after begin(), its frame may be gone before.
+  // after begin(), its frame may be gone before; several frames may begin from it at once.
   const Rendering* previous = nullptr;
 };
 

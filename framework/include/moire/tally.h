@@ -1,6 +1,7 @@
 // What samplers deposit: fragments, summed per slot and kept one by one where a metric asked for them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -51,13 +52,25 @@ class Tally {
       g += other.g;
       b += other.b;
     }
+    friend bool operator==(const Sum&, const Sum&) = default;
   };
 
   Tally(std::size_t slots, bool recording) : recording_(recording) { reset(slots); }
 
   // Empties all slots and makes `slots` of them.
   void reset(std::size_t slots) {
-    sums_.assign(slots, Sum{});
+    if (slots != sums_.size()) {
+      sums_.assign(slots, Sum{});
+    } else {
+      // The slots of runs have been left empty.
+      auto from = sums_.begin();
+      for (const Run& run : runs_) {
+        std::fill(from, sums_.begin() + static_cast<std::ptrdiff_t>(run.first), Sum{});
+        from = sums_.begin() + static_cast<std::ptrdiff_t>(run.first + run.count);
+      }
+      std::fill(from, sums_.end(), Sum{});
+    }
+    runs_.clear();
     entries_.clear();
     if (recording_) chains_.assign(slots, Chain{});
     counters = {};
@@ -102,6 +115,23 @@ class Tally {
     }
   }
 
+  // Slots side by side that each get one deposit of weight 1 and no other.
+  struct Run {
+    std::size_t first, count;
+    Color color;
+  };
+  // Kept as they are until settle(): before it nothing else can be asked of their slots. For samplers that fill large
+  // parts of a picture. Requires: not recording; behind the runs before it.
+  void add_run(const Run& run) { runs_.push_back(run); }
+  const std::vector<Run>& runs() const { return runs_; }
+  void settle() {
+    for (const Run& run : runs_) {
+      const Sum sum{1, run.color.r, run.color.g, run.color.b};
+      std::fill_n(sums_.begin() + static_cast<std::ptrdiff_t>(run.first), run.count, sum);
+    }
+    runs_.clear();
+  }
+
   // Adds slot `source` of `from`, weights times `factor`, fragments in their order. Requires: `from` records if this
   // does.
   void mix(std::size_t slot, const Tally& from, std::size_t source, double factor) {
@@ -118,6 +148,8 @@ class Tally {
 
   // The sum of the slot's weights; 1 where exact area weights fill a pixel.
   double weight(std::size_t slot) const { return sums_[slot].weight; }
+
+  const Sum& sum(std::size_t slot) const { return sums_[slot]; }
 
   // sum w c / sum w; black where nothing was deposited.
   Color color(std::size_t slot) const {
@@ -159,6 +191,7 @@ class Tally {
 
   bool recording_;
   std::vector<Sum> sums_;
+  std::vector<Run> runs_;
   std::vector<Entry> entries_;
   std::vector<Chain> chains_;
 };
@@ -172,13 +205,18 @@ struct PixelArea {
 // Which pixels of a block lie side by side: those of an image column, or those of a row.
 enum class Blocks { columns, rows };
 
+// What a frame's colours are, and so what is averaged: linear light, or the sRGB code values (0 .. 1) that files store.
+// The host turns averages of code values into light when they are pixels.
+enum class Blend { linear, as_stored };
+
 // The slots of a rectangle of pixels.
 class PixelBlock : public Tally, public PixelArea {
  public:
-  PixelBlock(PixelArea area, bool recording, Blocks order = Blocks::columns)
+  PixelBlock(PixelArea area, bool recording, Blocks order = Blocks::columns, Blend blend = Blend::linear)
       : Tally(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height), recording),
         PixelArea(area),
-        order_(order) {}
+        order_(order),
+        blend_(blend) {}
 
   // Becomes an empty block of other pixels.
   void move_to(PixelArea area) {
@@ -193,8 +231,31 @@ class PixelBlock : public Tally, public PixelArea {
   std::size_t across() const { return order_ == Blocks::columns ? static_cast<std::size_t>(height) : 1; }
   std::size_t down() const { return order_ == Blocks::columns ? 1 : static_cast<std::size_t>(width); }
 
+  Blocks order() const { return order_; }
+  Blend blend() const { return blend_; }
+
+  // The pixel's colour, in linear light whatever was averaged; black where nothing was deposited.
+  Color color(std::size_t slot) const {
+    return blend_ == Blend::linear ? Tally::color(slot) : light_of_codes(sum(slot));
+  }
+  // The colour of a fragment as it is shown, in linear light.
+  Color light(Color deposited) const {
+    if (blend_ == Blend::linear) return deposited;
+    Sum one;
+    one.add(1, deposited);
+    return light_of_codes(one);
+  }
+
  private:
+  // Of an average of code values; rounded to floats only once.
+  static Color light_of_codes(const Sum& s) {
+    if (s.weight == 0) return {};
+    const auto channel = [&](double code) { return static_cast<float>(srgb_to_linear(code / s.weight)); };
+    return {channel(s.r), channel(s.g), channel(s.b)};
+  }
+
   Blocks order_;
+  Blend blend_;
 };
 
 }  // namespace moire

@@ -3,6 +3,7 @@
 #include <moire/plugin.h>
 
 #include "exact/catmull.h"
+#include "exact/disjoint.h"
 #include "exact/prepared.h"
 #include "exact/sweep.h"
 #include "radial.h"
@@ -33,16 +34,19 @@ class Area final : public moire::Sampler {
         integrator_(settings.text("integrator")) {}
 
   std::unique_ptr<moire::Rendering> begin(const moire::RenderRequest& request) const override {
-    if (exact_) {
-      if (integrator_ == "catmull") return std::make_unique<area::Catmull>(request, jagged_);
-      if (integrator_ == "prepared") return std::make_unique<area::Prepared>(request);
-      return std::make_unique<area::Sweep>(request);
-    }
+    if (exact_) return integrated(request);
     if (radial_) return std::make_unique<area::Radial>(request, lines_);
     return std::make_unique<area::Upright>(request, lines_);
   }
 
  private:
+  std::unique_ptr<moire::Rendering> integrated(const moire::RenderRequest& request) const {
+    if (request.frame.polygons()->disjoint()) return std::make_unique<area::Disjoint>(request.frame);
+    if (integrator_ == "catmull") return std::make_unique<area::Catmull>(request, jagged_);
+    if (integrator_ == "prepared") return std::make_unique<area::Prepared>(request);
+    return std::make_unique<area::Sweep>(request);
+  }
+
   int lines_;
   bool exact_, radial_, jagged_;
   std::string integrator_;

@@ -3,19 +3,24 @@
 
 #include <moire/frame.h>
 
+#include "exact/visible_voxels.h"
 #include "look.h"
 
 namespace heightfield {
 
 class HeightfieldFrame final : public moire::Frame, private moire::Lines, private moire::Surface {
  public:
-  HeightfieldFrame(Look look, moire::Color sky, const moire::Texture& texture)
-      : look_(std::move(look)), sky_(sky), texture_(texture) {}
+  // `exact`: the frame has polygons. Requires: then it has no levels, and the model of rays and weights by area.
+  HeightfieldFrame(Look look, moire::Color sky, const moire::Texture& texture, bool exact)
+      : look_(std::move(look)), sky_(sky), texture_(texture) {
+    if (exact) voxels_.emplace(look_, sky_);
+  }
 
   moire::ImageSize size() const override { return look_.size(); }
   void trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
              moire::Counters& counters) const override;
   const moire::Lines* lines() const override { return this; }
+  const moire::Polygons* polygons() const override { return voxels_ ? &*voxels_ : nullptr; }
   const moire::Surface* surface() const override { return this; }
 
  private:
@@ -39,6 +44,7 @@ class HeightfieldFrame final : public moire::Frame, private moire::Lines, privat
   Look look_;
   moire::Color sky_;
   const moire::Texture& texture_;
+  std::optional<VisibleVoxels> voxels_;
 };
 
 }  // namespace heightfield

@@ -1,4 +1,6 @@
 // A terrain of voxels: boxes with flat tops over a regular grid, a colour each, mirrored to infinity.
+#include <algorithm>
+
 #include <moire/plugin.h>
 
 #include "frame.h"
@@ -69,6 +71,12 @@ constexpr moire::Parameter parameters[] = {
     real("view.fov_deg", 50, 0.01, 170, "degrees", "angle of view across the width of the image").per_frame(),
 };
 
+// Whether the terrain is seen as it is: no setting in place that makes it another one.
+bool is_exact(const moire::Settings& settings) {
+  return std::all_of(std::begin(parameters), std::end(parameters),
+                     [&](const moire::Parameter& p) { return p.exact.empty() || settings.text(p.name) == p.exact; });
+}
+
 class Heightfield final : public moire::Scene {
  public:
   explicit Heightfield(const moire::Settings& settings)
@@ -77,7 +85,8 @@ class Heightfield final : public moire::Scene {
   std::unique_ptr<moire::Frame> frame(const moire::Settings& settings, moire::ImageSize size) const override {
     const Camera camera = camera_of(settings, size);
     Look look(size, view_of(settings, voxels_, camera), camera, manner_of(settings));
-    return std::make_unique<HeightfieldFrame>(std::move(look), moire::parse_color(settings.text("sky")), texture_);
+    return std::make_unique<HeightfieldFrame>(std::move(look), moire::parse_color(settings.text("sky")), texture_,
+                                              is_exact(settings));
   }
 
  private:
@@ -95,9 +104,10 @@ MOIRE_SCENE(heightfield, "1.0.0",
                 .source = "Cohen-Or 1997, sections 3 and 4",
                 .parameters = heightfield::parameters,
                 .answers =
-                    [](const moire::Settings&) {
+                    [](const moire::Settings& settings) {
                       using enum moire::Questions;
-                      return points | lines | radial_lines | surface;
+                      const moire::Questions always = points | lines | radial_lines | surface;
+                      return heightfield::is_exact(settings) ? always | polygons : always;
                     },
                 .problem = [](const moire::Settings& settings) -> std::string {
                   const bool has_height = !settings.text("height").empty(), has_color = !settings.text("color").empty();

@@ -48,5 +48,41 @@ TEST_CASE("a metric asks too, of every scene") {
         "(no error)");
 }
 
+// A terrain that has polygons only where it is exact.
+const Vocabulary& with_exact_terrain() {
+  using namespace parameter;
+  static constexpr Parameter parameters[] = {choice("levels", "some", "some none", "").exact_when("none")};
+  static constexpr ScenePlugin terrain{
+      .summary = "", .source = "", .parameters = parameters, .answers = [](const Settings& settings) {
+        return settings.text("levels") == "none" ? Questions::points | Questions::polygons : Questions::points;
+      }};
+  static constexpr SamplerPlugin exact{
+      .summary = "", .source = "", .asks = [](const Settings&) { return Questions::polygons; }};
+  static constexpr SamplerPlugin point{.summary = "", .source = ""};
+  static const Catalog catalog(
+      {{.file = {}, .kind = Kind::sampler, .name = "exact", .version = "1", .sampler = &exact},
+       {.file = {}, .kind = Kind::sampler, .name = "point", .version = "1", .sampler = &point},
+       {.file = {}, .kind = Kind::scene, .name = "terrain", .version = "1", .scene = &terrain}});
+  static const Vocabulary result{&catalog, vocabulary().metrics, vocabulary().lookups, vocabulary().pictures};
+  return result;
+}
+
+TEST_CASE("a reference needs to fit the exact scene only") {
+  const ExperimentFolder folder;
+  const auto file =
+      folder.file("edges/experiment.json", experiment_with({R"("scenes": ["terrain"])", R"("samplers": ["point"])",
+                                                            R"("reference": "exact")", R"("metrics": ["error"])"}));
+  CHECK(read_experiment(file, with_exact_terrain(), {}).reference->name == "exact");
+}
+
+TEST_CASE("a contender that fits the exact scene only is told under which settings it would do") {
+  const Catalog& catalog = *with_exact_terrain().catalog;
+  const Plugin* terrain = catalog.find(Kind::scene, "terrain");
+  const Plugin* exact = catalog.find(Kind::sampler, "exact");
+  CHECK(mismatch({"hills", terrain, Settings(terrain->parameters())}, {"exact", exact, Settings(), "nearest"},
+                 with_exact_terrain()) ==
+        "\"exact\" asks for polygons, which scene \"hills\" (terrain) does not have; it does with levels=none");
+}
+
 }  // namespace
 }  // namespace moire::test

@@ -30,6 +30,8 @@ TEST_CASE("the schema takes what the reader takes, and the request that comes of
       {R"("reference": {"type": "supersample", "n": 64, "label": "fine"})"},
       {R"("seed": 9007199254740992)", R"("metrics": ["error", {"type": "coverage", "against": "pixel"}])"},
       {R"("metrics": [])"},
+      {R"("samplers": ["point", {"type": "cairo", "if_installed": true, "antialias": ["best", "fast"]}])"},
+      {R"("samplers": [{"type": "supersample", "if_installed": true, "n": 2}, {"type": "point", "if_installed": false}])"},
   };
   for (const auto& lines : experiments) {
     const std::string text = experiment_with(lines);
@@ -62,6 +64,11 @@ TEST_CASE("the schema and the reader refuse the same mistakes of form") {
       R"("samplers": [{"type": "point", "n": 4}])",
       R"("samplers": [{"type": "point", "lookup": "near"}])",
       R"("samplers": [{"type": "point", "label": ""}])",
+      R"("samplers": [{"type": "point", "if_installed": "yes"}])",
+      R"("samplers": [{"type": "cairo", "if_installed": false}])",
+      R"("samplers": [{"type": "point", "if_installed": true, "n": 4}])",
+      R"("scenes": [{"type": "heightfield", "if_installed": true}])",
+      R"("reference": {"type": "point", "if_installed": true})",
       R"("reference": {"type": "supersample", "n": [1, 2]})",
       R"("reference": "atuo")",
       R"("seed": -1)",

@@ -27,9 +27,10 @@ Settings pixel(std::int64_t x, std::int64_t y, const char* over) {
 using Deposits = std::vector<Fragment>;
 
 // Shows the pass a frame in which the pixel has these fragments, and all other pixels one of grey.
-void show(PicturePass& pass, int frame, int x, int y, int image_height, const Deposits& deposits) {
+void show(PicturePass& pass, int frame, int x, int y, int image_height, const Deposits& deposits,
+          Blend blend = Blend::linear) {
   const auto [x0, width] = pass.needs().columns;
-  PixelBlock block({x0, 0, width, image_height}, true);
+  PixelBlock block({x0, 0, width, image_height}, true, Blocks::columns, blend);
   for (int row = 0; row < image_height; ++row) {
     if (row != y) block.add(block.slot(x, row), 99, 1, grey);
   }
@@ -60,6 +61,13 @@ TEST_CASE("an enlarged pixel has its fragments from bottom to top in their order
     CHECK(bands(drawing.picture, column) == std::vector<Band>{{50, red}, {100, green}, {50, blue}});
   }
   CHECK(drawing.caption == "Pixel (3, 1): 3 fragments");
+}
+
+TEST_CASE("fragments of code values are drawn in the light that they stand for") {
+  const auto pass = make_enlarged_pixel(pixel(0, 0, "still"), {{1, 1}, 1});
+  show(*pass, 0, 0, 0, 1, {{1, 1, {0.5F, 0, 1}}, {2, 1, {0, 0.04F, 0}}}, Blend::as_stored);
+  const auto light = [](float code) { return static_cast<float>(srgb_to_linear(code)); };
+  CHECK(bands(pass->finish().picture, 0) == std::vector<Band>{{100, {light(0.5F), 0, 1}}, {100, {0, light(0.04F), 0}}});
 }
 
 TEST_CASE("a row of an enlarged pixel belongs to what its middle lies in, and all rows are filled") {

@@ -1,6 +1,7 @@
 #include "report/html.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <initializer_list>
 
 #include "files/whole_file.h"
@@ -80,6 +81,30 @@ TEST_CASE("what comes from data is shown as text") {
   CHECK(contains(page, "it threw: &lt;oops&gt; &amp; more"));
   CHECK_FALSE(contains(page, "<b>bad"));
   CHECK_FALSE(contains(page, "<oops>"));
+}
+
+TEST_CASE("a scene's section says what it is judged against, where that came from and how good it is") {
+  Results results = test::sample_results();
+  SceneResult& scene = results.scenes[0];
+  CHECK(contains(ResultFolder(results).page(),
+                 "Reference: <code>area[lines=32]</code>, computed now. Its own error is 0.250 levels (rmse against "
+                 "twice as many lines).</p>"));
+  scene.reference_error = std::nan("");
+  scene.reference_error_how = "unknown: the experiment names it";
+  scene.reference_origin = "kept from before";
+  scene.fragments_reference = "area[lines=8]";
+  CHECK(contains(ResultFolder(results).page(),
+                 "Reference: <code>area[lines=32]</code>, kept from before. Its own error is unknown: the experiment "
+                 "names it. Fragments are held against <code>area[lines=8]</code>, on the frame that the contenders "
+                 "see.</p>"));
+}
+
+TEST_CASE("a chart with what cannot be told says what its hollow points are") {
+  Results results = test::sample_results();
+  const char* note = "Hollow points are below the reference\u2019s accuracy";
+  CHECK(contains(ResultFolder(results).page(), note));
+  results.scenes[0].reference_error = 0.05;
+  CHECK_FALSE(contains(ResultFolder(results).page(), note));
 }
 
 TEST_CASE("changes from frame to frame are bars whose parts are as wide as their shares") {

@@ -54,6 +54,34 @@ TEST_CASE("an error below the reference's own is marked as such instead of as be
   CHECK_FALSE(table.lines[2].cells[0].is_best);
 }
 
+TEST_CASE("means and maxima of an error are marked too, also right at the reference's own") {
+  Results results = test::sample_results();
+  results.scenes[0].reference_error = 96;
+  const MetricTable table = table_of(results);
+  REQUIRE(table.columns[1].metric.metric == "error.max");
+  CHECK(table.lines[1].cells[1].is_below_reference);        // 96
+  CHECK_FALSE(table.lines[0].cells[1].is_below_reference);  // infinite
+  CHECK(best(results, "error.max") == Names{});
+  CHECK(best(results, "coverage.ratio") == Names{"super[n=2]"});
+}
+
+TEST_CASE("an error too small to tell does not lengthen the others") {
+  Results results = test::sample_results();
+  results.rows[2].value = 3e-7;
+  const MetricTable table = table_of(results);
+  CHECK(table.lines[0].cells[0].value == "12.50");
+  CHECK(table.lines[2].cells[0].value == "3.0e-07");
+}
+
+TEST_CASE("a reference without an error of its own hides none") {
+  Results results = test::sample_results();
+  results.rows[2].value = 0;
+  for (const double own : {0.0, std::nan("")}) {
+    results.scenes[0].reference_error = own;
+    CHECK(best(results, "error.rmse") == Names{"area"});
+  }
+}
+
 TEST_CASE("a failed contender keeps its line and its reason") {
   const Line line = table_of(test::sample_results()).lines[3];
   CHECK(line.failure == "it threw: <oops> & more");

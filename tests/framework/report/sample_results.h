@@ -22,6 +22,8 @@ inline Results sample_results() {
                       "area[lines=32]",
                       0.25,
                       "rmse against twice as many lines",
+                      "computed now",
+                      "",
                       "images/hill/reference.png",
                       {8, 0, 16, 16},
                       "A hill."});

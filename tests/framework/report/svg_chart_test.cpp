@@ -63,6 +63,30 @@ TEST_CASE("a chart shows points, intervals, front and floor") {
   CHECK(svg == test::approved("chart.svg", svg));
 }
 
+TEST_CASE("what is below the reference's accuracy stands on it, marked, however small it is") {
+  Chart chart{"Speed & error", "time (ms)", "error (levels)", {}, 1.5e-5, "too small to tell"};
+  const auto heights = [&](std::vector<ChartPoint> points) {
+    chart.points = std::move(points);
+    const std::string svg = scatter_chart(chart).text();
+    std::vector<std::string> found;
+    for (std::size_t at = 0; (at = svg.find("<circle", at)) != std::string::npos; ++at) {
+      const std::size_t y = svg.find("cy=\"", at) + 4;
+      const std::size_t mark = svg.rfind("<g class=\"", at) + 10;
+      found.push_back(svg.substr(mark, svg.find('"', mark) - mark) + ' ' + svg.substr(y, svg.find('"', y) - y));
+    }
+    return found;
+  };
+  const auto far = heights({{"a", 1, 20}, {"tiny", 10, 1e-12}, {"zero", 20, 0}, {"at it", 30, 1.5e-5}});
+  REQUIRE(far.size() == 4);
+  CHECK(far[0].starts_with("point "));
+  CHECK(far[1].starts_with("point below "));
+  const std::string floor = far[1].substr(far[1].rfind(' '));
+  CHECK(far[2] == "point dominated below" + floor);
+  CHECK(far[3] == "point dominated below" + floor);
+  // The axis reaches no lower for them.
+  CHECK(heights({{"a", 1, 20}, {"tiny", 10, 1e-5}, {"zero", 20, 1e-5}, {"at it", 30, 1.5e-5}}) == far);
+}
+
 TEST_CASE("a chart without points is no chart") { CHECK(scatter_chart({}).text().empty()); }
 
 }  // namespace moire::report

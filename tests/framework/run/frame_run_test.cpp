@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 
@@ -20,7 +22,8 @@ constexpr ImageSize size{6, 2};
 constexpr std::uint64_t seed = 77;
 
 constexpr Parameter scene_parameters[] = {real("time", 0, 0, 1000, "", "").per_frame(),
-                                          flag("exact", false, "").per_frame()};
+                                          flag("exact", false, "").per_frame(),
+                                          flag("stored", false, "code values are averaged").per_frame()};
 
 // Frames that there are, and the most there ever were.
 struct Life {
@@ -37,7 +40,10 @@ struct Life {
 class Clock final : public Frame {
  public:
   Clock(const Settings& settings, Life& life)
-      : time(static_cast<int>(settings.real("time"))), is_exact(settings.flag("exact")), life_(life) {
+      : time(static_cast<int>(settings.real("time"))),
+        is_exact(settings.flag("exact")),
+        blend_(settings.flag("stored") ? Blend::as_stored : Blend::linear),
+        life_(life) {
     life_.begin();
   }
   ~Clock() override { --life_.now; }
@@ -45,12 +51,14 @@ class Clock final : public Frame {
   Clock& operator=(const Clock&) = delete;
 
   ImageSize size() const override { return test::size; }
+  Blend blend() const override { return blend_; }
   void trace(std::span<const SamplePoint>, std::span<Hit>, Counters&) const override {}
 
   const int time;
   const bool is_exact;
 
  private:
+  Blend blend_;
   Life& life_;
 };
 
@@ -106,18 +114,21 @@ class Telling final : public Sampler {
 };
 
 // The reference: mark 9; it throws where its settings say so.
-constexpr int reference_mark = 9;
-constexpr Parameter reference_parameters[] = {integer("throws_at", -1, -1, 1000, "", ""), flag("on_exact", false, "")};
+constexpr int reference_mark = 9, fragments_mark = 8;
+constexpr Parameter reference_parameters[] = {integer("throws_at", -1, -1, 1000, "", ""), flag("on_exact", false, ""),
+                                              integer("mark", reference_mark, 0, 9, "", "")};
 constexpr SamplerPlugin reference_plugin{
     .summary = "", .source = "", .parameters = reference_parameters, .make = [](const Settings& settings) {
-      return std::unique_ptr<Sampler>(std::make_unique<Telling>(
-          reference_mark, static_cast<int>(settings.integer("throws_at")), settings.flag("on_exact")));
+      return std::unique_ptr<Sampler>(std::make_unique<Telling>(static_cast<int>(settings.integer("mark")),
+                                                                static_cast<int>(settings.integer("throws_at")),
+                                                                settings.flag("on_exact")));
     }};
 const Plugin reference_file{
     .file = {}, .kind = Kind::sampler, .name = "truth", .version = "1", .sampler = &reference_plugin};
 
-ReferenceChoice truth(const Changes& changes = {}) {
-  return {{"truth", &reference_file, changed(reference_parameters, changes), "nearest"}, {}, true};
+References truth(const Changes& changes = {}) {
+  const ReferenceChoice one{{"truth", &reference_file, changed(reference_parameters, changes), "nearest"}, {}, true};
+  return {one, one};
 }
 
 // One call of a pass.
@@ -158,6 +169,7 @@ std::vector<int> numbers(int begin, int end) {
 struct Run {
   Clocks scene;
   int count = 11, still = 4;
+  bool stored = false;
   std::vector<Needs> needs;
   std::vector<Watched> watched;
   std::vector<double> shares;
@@ -166,14 +178,17 @@ struct Run {
 
   const Telling& add(const std::string& name, std::unique_ptr<Telling> sampler) {
     const Telling& kept = *sampler;
-    watch(name, std::make_unique<Contender>(name, std::move(sampler)));
+    add(name, std::move(sampler), false);
     return kept;
+  }
+  void add(const std::string& name, std::unique_ptr<Sampler> sampler, bool continues) {
+    watch(name, std::make_unique<Contender>(name, std::move(sampler), continues));
   }
   void add_reference() { watch("reference", nullptr); }
 
-  void run(int threads, const ReferenceChoice& reference = truth()) {
-    const auto at = [](int frame, bool is_exact) {
-      return changed(scene_parameters, {{"time", 1.0 * frame}, {"exact", is_exact}});
+  void run(int threads, const References& references = truth()) {
+    const auto at = [&](int frame, bool is_exact) {
+      return changed(scene_parameters, {{"time", 1.0 * frame}, {"exact", is_exact}, {"stored", stored}});
     };
     const FrameSource source{scene,
                              [&](int frame) { return at(frame, false); },
@@ -182,7 +197,7 @@ struct Run {
                              count,
                              still,
                              seed};
-    run_frames(source, reference, watched, Workers(threads), [&](double share) { shares.push_back(share); });
+    run_frames(source, references, watched, Workers(threads), [&](double share) { shares.push_back(share); });
   }
 
   const Recorder& pass(std::size_t contender, std::size_t index = 0) const {
@@ -303,6 +318,74 @@ TEST_CASE("the reference has passes like a contender where they ask for it") {
   CHECK(run.pass(1, 1).frames() == numbers(0, 11));
 }
 
+TEST_CASE("colours and fragments each have the reference that was chosen for them") {
+  Run run({{.columns = {0, 1}, .fragments = true, .reference = true, .exact = true}});
+  run.add("a", std::make_unique<Telling>(1));
+  run.run(1, {truth().colors, truth({{"mark", std::int64_t{fragments_mark}}}).colors});
+  const Seen& seen = run.pass(0).seen.at(0);
+  check_content(*seen.reference, {0, 1}, reference_mark, 4, true);
+  REQUIRE(seen.exact->pixel(0).size() == 1);
+  CHECK(seen.exact->pixel(0)[0].element == content(fragments_mark, 4, false, 0, 0));
+}
+
+// Deposits as Telling does, and notes which frame each rendering went on from.
+class Continuing final : public Sampler {
+ public:
+  std::unique_ptr<Rendering> begin(const RenderRequest& request) const override {
+    const auto* previous = dynamic_cast<const Work*>(request.previous);
+    const std::scoped_lock lock(mutex_);
+    from[request.frame_number] = previous ? previous->number : -1;
+    return std::make_unique<Work>(telling_.begin(request), request.frame_number, alive);
+  }
+  mutable std::map<int, int> from;  // -1: from none
+  mutable std::atomic<int> alive = 0;
+
+ private:
+  struct Work final : Rendering {
+    Work(std::unique_ptr<Rendering> w, int n, std::atomic<int>& a) : work(std::move(w)), number(n), count(a) {
+      ++count;
+    }
+    ~Work() override { --count; }
+    void render(PixelBlock& block) const override { work->render(block); }
+    std::unique_ptr<Rendering> work;
+    const int number;
+    std::atomic<int>& count;
+  };
+  Telling telling_{1};
+  mutable std::mutex mutex_;
+};
+
+TEST_CASE("a contender that continues gets its last rendering of the batch before, others get none") {
+  for (const int threads : {1, 2}) {
+    for (const bool continues : {true, false}) {
+      CAPTURE(threads, continues);
+      Run run({{.columns = {0, 2}, .every_frame = true}});
+      auto sampler = std::make_unique<Continuing>();
+      const Continuing& kept = *sampler;
+      run.add("a", std::move(sampler), continues);
+      run.run(threads);
+      REQUIRE(run.pass(0).frames() == numbers(0, 11));
+      for (const Seen& s : run.pass(0).seen) check_content(s.own, {0, 2}, 1, s.frame, false);
+      REQUIRE(kept.from.size() == 11);
+      const int batch = 2 * threads;
+      for (const auto& [frame, from] : kept.from) CHECK(from == (continues ? frame / batch * batch - 1 : -1));
+      CHECK(kept.alive == 0);
+    }
+  }
+}
+
+TEST_CASE("blocks of frames know what is averaged: contenders' and the reference's") {
+  for (const bool stored : {false, true}) {
+    Run run({{.columns = {0, 1}, .reference = true}});
+    run.stored = stored;
+    run.add("a", std::make_unique<Telling>(1));
+    run.run(1);
+    const Blend expected = stored ? Blend::as_stored : Blend::linear;
+    CHECK(run.pass(0).seen.at(0).own.blend() == expected);
+    CHECK(run.pass(0).seen.at(0).reference->blend() == expected);
+  }
+}
+
 TEST_CASE("a contender that throws is given up with frame and message, and the others go on") {
   for (const int threads : {1, 2}) {
     CAPTURE(threads);
@@ -362,6 +445,7 @@ TEST_CASE("what passes see of a terrain are the columns of the whole image, to t
   };
   const Plugin* area = catalog().find(Kind::sampler, "area");
   const ReferenceChoice reference{{"area", area, Settings(area->parameters()), "nearest"}, {}, false};
+  const References references{reference, reference};
   constexpr Columns columns{29, 5};  // over the border of two blocks
   for (const int threads : {1, 2}) {
     CAPTURE(threads);
@@ -372,7 +456,7 @@ TEST_CASE("what passes see of a terrain are the columns of the whole image, to t
       w.passes.push_back(std::make_unique<Recorder>(
           Needs{.columns = columns, .every_frame = true, .fragments = true, .reference = true}));
     }
-    run_frames({*terrain, at, at, image, 3, 0, 0}, reference, watched, Workers(threads), [](double) {});
+    run_frames({*terrain, at, at, image, 3, 0, 0}, references, watched, Workers(threads), [](double) {});
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto& pass = dynamic_cast<const Recorder&>(*watched[k].passes.front());
       REQUIRE(pass.frames() == numbers(0, 3));

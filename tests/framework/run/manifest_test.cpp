@@ -41,7 +41,7 @@ struct Job {
                         .sampler = &sampler_plugin};
   SceneChoice scene{"hills", &scene_file, Settings(scene_parameters)};
   SamplerChoice sampler{"dots", &sampler_file, Settings(sampler_parameters), "nearest"};
-  SamplerChoice reference{"truth", &reference_file, Settings(sampler_parameters), "nearest"};
+  SamplerChoice reference{"truth", &reference_file, Settings(sampler_parameters), "nearest"}, fragments = reference;
   Experiment experiment;
 
   Job() {
@@ -53,7 +53,7 @@ struct Job {
   }
   std::string key() const {
     ContentHashes hashes;
-    return job_key(experiment, scene, sampler, reference, hashes);
+    return job_key(experiment, scene, sampler, {{reference, {}, false}, {fragments, {}, false}}, hashes);
   }
 };
 
@@ -113,6 +113,7 @@ TEST_CASE("whatever changes a result changes the key") {
   CHECK(changed([](Job& j) { j.sampler.lookup = "bilinear"; }));
   CHECK(changed([](Job& j) { j.reference.settings.set("n", std::int64_t{5}); }));
   CHECK(changed([](Job& j) { j.reference.lookup = "bilinear"; }));
+  CHECK(changed([](Job& j) { j.fragments.settings.set("n", std::int64_t{5}); }));
   CHECK(changed([](Job& j) { j.folder.file("a.png", "other heights"); }));
   CHECK(changed([](Job& j) { j.folder.file("hills.so", "hills 2"); }));
   CHECK(changed([](Job& j) { j.folder.file("dots.so", "dots 2"); }));

@@ -1,7 +1,9 @@
 #include "run/reference.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <random>
 
 #include "message_of.h"
 #include "run/empty_sampler.h"
@@ -26,12 +28,21 @@ constexpr SamplerPlugin many_lines{.summary = "many lines",
                                      settings.set("lines", std::int64_t{8} * effort);
                                      return Trust::many_lines;
                                    }};
-constexpr SamplerPlugin exact{.summary = "exact", .source = "", .reference = [](Questions answered, int, Settings&) {
-                                return (answered & Questions::polygons) == Questions::none ? Trust::none : Trust::exact;
-                              }};
+constexpr SamplerPlugin exact{.summary = "exact",
+                              .source = "",
+                              .asks = [](const Settings&) { return Questions::polygons; },
+                              .reference =
+                                  [](Questions answered, int, Settings&) {
+                                    return (answered & Questions::polygons) == Questions::none ? Trust::none
+                                                                                               : Trust::exact;
+                                  }};
 
 Plugin sampler(const char* name, const SamplerPlugin& plugin) {
   return {.file = {}, .kind = Kind::sampler, .name = name, .version = "1", .sampler = &plugin};
+}
+
+Plugin scene_file(const char* name, const ScenePlugin& plugin) {
+  return {.file = {}, .kind = Kind::scene, .name = name, .version = "1", .scene = &plugin};
 }
 
 const Catalog& all() {
@@ -79,6 +90,53 @@ TEST_CASE("a scene for which no sampler is a reference is told so") {
         "reference: no sampler can serve as reference for this scene; name one in the experiment");
 }
 
+TEST_CASE("colours are judged by what the exact scene allows, fragments by what the contenders' own does") {
+  // As a terrain with a hierarchy: polygons only where it is exact.
+  static constexpr Parameter table[] = {flag("levels", true, "").exact_when("false")};
+  static constexpr ScenePlugin terrain{
+      .summary = "", .source = "", .parameters = table, .answers = [](const Settings& settings) {
+        using enum Questions;
+        return settings.flag("levels") ? points | lines : points | lines | polygons;
+      }};
+  const Plugin file = scene_file("terrain", terrain);
+  SceneChoice scene{"", &file, Settings(table)};
+  const References own = choose_references({}, all(), scene);
+  CHECK(own.colors.sampler.name == "exact");
+  CHECK(own.colors.is_exact);
+  CHECK(own.fragments.sampler.name == "lines[lines=16]");
+  CHECK_FALSE(own.fragments.is_exact);
+
+  const Plugin* exact_file = all().find(Kind::sampler, "exact");
+  const SamplerChoice named{"truth", exact_file, Settings(), "nearest"};
+  CHECK(choose_references(named, all(), scene).colors.sampler.name == "truth");
+  CHECK(choose_references(named, all(), scene).fragments.sampler.name == "lines[lines=16]");
+
+  scene.settings.set("levels", false);
+  CHECK(choose_references({}, all(), scene).fragments.sampler.name == "exact");
+  CHECK(choose_references(named, all(), scene).fragments.sampler.name == "truth");
+}
+
+TEST_CASE("a named reference is trusted as far as its sampler offers itself with these very settings") {
+  const Plugin* file = all().find(Kind::sampler, "lines");
+  const Questions answered = Questions::points | Questions::lines;
+  SamplerChoice named{"my lines", file, Settings(line_parameters), "nearest"};
+  CHECK_FALSE(named_reference(named, answered).half);
+  named.settings.set("lines", std::int64_t{16});
+  const ReferenceChoice offered = named_reference(named, answered);
+  CHECK(offered.sampler.name == "my lines");
+  REQUIRE(offered.half);
+  CHECK(offered.half->name == "lines[lines=8]");
+  CHECK_FALSE(named_reference(named, Questions::points).half);
+  named.lookup = "bilinear";
+  CHECK_FALSE(named_reference(named, answered).half);
+
+  const SamplerChoice sure{"truth", all().find(Kind::sampler, "exact"), Settings(), "nearest"};
+  CHECK(named_reference(sure, Questions::polygons).is_exact);
+  CHECK_FALSE(named_reference(sure, Questions::points).is_exact);
+  const SamplerChoice plain_one{"plain", all().find(Kind::sampler, "plain"), Settings(), "nearest"};
+  CHECK_FALSE(named_reference(plain_one, answered).is_exact);
+}
+
 TEST_CASE("exact settings override only what the scene's table says, in its type") {
   static constexpr Parameter table[] = {flag("fast", true, "").exact_when("false"),
                                         integer("steps", 4, 1, 64, "", "").exact_when("32"),
@@ -96,6 +154,10 @@ TEST_CASE("exact settings override only what the scene's table says, in its type
   CHECK(found.text("walk") == "grid");
   CHECK(found.flag("foggy"));
   CHECK(found.real("far") == 3);
+  CHECK(exact_note(scene, given) == "fast=false, steps=32, slack=0.25, walk=grid");
+  given.set("steps", std::int64_t{32});
+  CHECK(exact_note(scene, given) == "fast=false, slack=0.25, walk=grid");
+  CHECK(exact_note(scene, found) == "");
 }
 
 TEST_CASE("a reference says how it was made, and how far it is from one of half the effort") {
@@ -106,20 +168,45 @@ TEST_CASE("a reference says how it was made, and how far it is from one of half 
   const SamplerChoice half{"middle", &plugin, Settings(), "nearest"};
   const OneColor frame;
 
-  const Reference judged = make_reference({full, half, false}, "walk=grid", frame, 0, 1, Workers(1));
+  static constexpr ScenePlugin plain_scene{.summary = "", .source = ""};
+  const Plugin file = scene_file("plain", plain_scene);
+  const auto made = [&](const ReferenceChoice& choice, const std::string& changes) {
+    return make_reference({choice, {"", &file, Settings()}, changes, frame.size(), 0, 1}, frame, Workers(1));
+  };
+
+  const ReferenceChoice by_half{full, half, false}, by_name{full, {}, false}, by_proof{full, half, true};
+  const Reference judged = made(by_half, "walk=grid");
   CHECK(judged.recipe == "middle[n=2]; walk=grid");
   CHECK(judged.error == 0);
   CHECK(judged.how == "rmse of middle against it: the reference, with twice as many, is nearer to the truth");
   CHECK(judged.picture.pixels == std::vector<Color>(6));
+  CHECK(trust_in(judged, by_half) == "its own error is about 0 levels, the rmse of middle against it");
 
-  const Reference named = make_reference({full, {}, false}, "", frame, 0, 1, Workers(1));
+  const Reference named = made(by_name, "");
   CHECK(named.recipe == "middle[n=2]");
   CHECK(std::isnan(named.error));
   CHECK(named.how == "unknown: the experiment names this reference");
+  CHECK(trust_in(named, by_name) == "named by the experiment, its own error is unknown");
 
-  const Reference sure = make_reference({full, half, true}, "", frame, 0, 1, Workers(1));
-  CHECK(sure.error == 0);
-  CHECK(sure.how == "exact: no sampling error");
+  const Reference sure = made(by_proof, "");
+  CHECK(sure.error == 255.0 / 16777216);
+  CHECK(sure.how ==
+        "exact: no sampling error; pixels are kept as floats, and two that are rounded differ by 2^-24 at most");
+  CHECK(trust_in(sure, by_proof) == "exact, no sampling error");
+}
+
+TEST_CASE("two pictures that are exact but for rounding differ by no more than the exact reference's own error") {
+  std::mt19937_64 random(7);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  double largest = 0;
+  for (int k = 0; k < 1'000'000; ++k) {
+    // Of all sizes below 1; what both round is the same to 1e-9, hundreds of times what is asked of integrators.
+    const double truth = uniform(0, 1) * std::exp2(-static_cast<int>(random() % 30));
+    const Picture one{{1, 1}, {{static_cast<float>(std::clamp(truth + uniform(-0.5e-9, 0.5e-9), 0.0, 1.0)), 0, 0}}};
+    const Picture other{{1, 1}, {{static_cast<float>(truth), 0, 0}}};
+    largest = std::max(largest, std::abs(differences(one, other, Space::linear)[0]));
+  }
+  CHECK(largest == exact_error);  // reached where a value lies between two floats, never passed
 }
 
 TEST_CASE("exact fragments are of the frame that is asked for: a reference may draw random numbers") {

@@ -105,20 +105,27 @@ SceneChoice scene(const Changes& changes, const Plugin& file = file_a) {
   return {"", &file, changed(scene_parameters, changes)};
 }
 
+const ReferenceStore no_store;
+std::string last_origin;  // of the reference that was asked for last
+
 // The colour of the reference of this scene.
 Color reference(Shared& shared, const SceneChoice& choice, const char* name = "looks",
                 const Plugin& file = looks_file) {
   shared.scene(choice);
-  const Settings exact = exact_settings(*choice.plugin->scene, choice.settings);
-  return shared.reference({{name, &file, Settings(), "nearest"}, {}, true}, "", exact, {2, 1}, 0, 1, Workers(1))
-      .picture.pixels.front();
+  SceneChoice exact = choice;
+  exact.settings = exact_settings(*choice.plugin->scene, choice.settings);
+  ContentHashes hashes;
+  const Reference& found =
+      shared.reference({{{name, &file, Settings(), "nearest"}, {}, true}, exact, "", {2, 1}, 0, 1}, hashes, Workers(1));
+  last_origin = found.origin;
+  return found.picture.pixels.front();
 }
 
 }  // namespace
 
 TEST_CASE("a scene is made again only where something differs that is fixed once it is made") {
   counts = {};
-  Shared shared;
+  Shared shared(no_store);
   const Scene* first = &shared.scene(scene({{"x", 1.0}}));
   CHECK(&shared.scene(scene({{"x", 2.0}})) == first);
   CHECK(&shared.scene(scene({{"x", 2.0}, {"fast", true}})) == first);
@@ -134,7 +141,7 @@ TEST_CASE("a scene is made again only where something differs that is fixed once
 
 TEST_CASE("a scene that cannot be made leaves room for the next, be it the one before") {
   counts = {};
-  Shared shared;
+  Shared shared(no_store);
   shared.scene(scene({}));
   CHECK(message_of([&] { shared.scene(scene({{"size", std::int64_t{0}}})); }) == "no scene of size 0");
   CHECK(counts.alive == 0);
@@ -144,9 +151,11 @@ TEST_CASE("a scene that cannot be made leaves room for the next, be it the one b
 
 TEST_CASE("a reference is rendered again only where its scene's exact settings or its recipe differ") {
   counts = {};
-  Shared shared;
+  Shared shared(no_store);
   CHECK(reference(shared, scene({{"x", 1.0}})) == Color{1, 1, 0});
+  CHECK(last_origin == "computed now");
   CHECK(reference(shared, scene({{"x", 1.0}})) == Color{1, 1, 0});
+  CHECK(last_origin == "the same as above");
   CHECK(reference(shared, scene({{"x", 1.0}, {"fast", true}})) == Color{1, 1, 0});
   CHECK(counts.rendered == 1);
   CHECK(reference(shared, scene({{"x", 2.0}})) == Color{1, 2, 0});
@@ -162,7 +171,7 @@ TEST_CASE("a reference is rendered again only where its scene's exact settings o
 
 TEST_CASE("a reference that could not be made is not taken for the one before") {
   counts = {};
-  Shared shared;
+  Shared shared(no_store);
   CHECK(reference(shared, scene({{"x", 1.0}})) == Color{1, 1, 0});
   CHECK(message_of([&] { reference(shared, scene({{"x", 1.0}}), "fails", fails_file); }) == "no reference today");
   CHECK(message_of([&] { reference(shared, scene({{"x", 1.0}}), "fails", fails_file); }) == "no reference today");

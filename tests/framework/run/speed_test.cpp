@@ -1,6 +1,7 @@
 // Timing without a clock in the tests: what is counted, who is timed how often, and what the rows are.
 #include "run/speed.h"
 
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -60,11 +61,13 @@ TEST_CASE("every contender has all rows of the pass, and work is counted a pixel
   const Contender floor("nothing", make_empty_sampler()), counting("counting", std::make_unique<Counting>(begun));
   const auto rows =
       measure_speed("a scene", {{&floor, &frame}, {&counting, &frame}}, rounds(3), 1, Workers(1), [](double) {});
-  REQUIRE(rows.size() == 2 * speed_description.quantities.size());
+  std::vector<Quantity> quantities(speed_description.quantities.begin(), speed_description.quantities.end());
+  std::erase_if(quantities, [](const Quantity& q) { return q.name == "speed.ms_per_next_frame"; });
+  REQUIRE(rows.size() == 2 * quantities.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Quantity& quantity = speed_description.quantities[k % speed_description.quantities.size()];
+    const Quantity& quantity = quantities[k % quantities.size()];
     CHECK(rows[k].scene == "a scene");
-    CHECK(rows[k].sampler == (k < speed_description.quantities.size() ? "nothing" : "counting"));
+    CHECK(rows[k].sampler == (k < quantities.size() ? "nothing" : "counting"));
     CHECK(rows[k].metric == quantity.name);
     CHECK(rows[k].unit == quantity.unit);
     CHECK(std::isfinite(rows[k].value));
@@ -83,6 +86,45 @@ TEST_CASE("what is too slow to repeat is timed once, without warm-up and without
   CHECK(begun == 2);  // on one thread, on all
   CHECK(std::isnan(rows[0].low));
   CHECK(std::isnan(rows[0].high));
+}
+
+TEST_CASE("a contender that continues is also timed where it goes on from its last rendering") {
+  // Notes how many renderings came before each, as its previous one says.
+  class Continuing final : public Sampler {
+    struct Work final : Rendering {
+      explicit Work(int n) : before(n) {}
+      void render(PixelBlock&) const override {}
+      int before;
+    };
+
+   public:
+    explicit Continuing(std::vector<int>& all) : all_(all) {}
+    std::unique_ptr<Rendering> begin(const RenderRequest& request) const override {
+      const auto* previous = dynamic_cast<const Work*>(request.previous);
+      CHECK((previous != nullptr) == (request.previous != nullptr));
+      all_.push_back(previous ? previous->before + 1 : 0);
+      return std::make_unique<Work>(all_.back());
+    }
+
+   private:
+    std::vector<int>& all_;
+  };
+  const NoFrame frame;
+  for (const bool continues : {true, false}) {
+    CAPTURE(continues);
+    std::vector<int> before;
+    const Contender contender("a", std::make_unique<Continuing>(before), continues);
+    const auto rows = measure_speed("a scene", {{&contender, &frame}}, rounds(3), 1, Workers(1), [](double) {});
+    const auto next =
+        std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.metric == "speed.ms_per_next_frame"; });
+    CHECK((next != rows.end()) == continues);
+    // Warm-up, then each round: on one thread, on all, and one that goes on from the one of the round before.
+    std::sort(before.begin(), before.end());
+    CHECK(before == (continues ? std::vector{0, 0, 0, 0, 0, 0, 0, 1, 2, 3} : std::vector(7, 0)));
+    if (!continues) continue;
+    CHECK(next->unit == "ms");
+    CHECK((next->low <= next->value && next->value <= next->high));
+  }
 }
 
 TEST_CASE("no further round begins after the time is up, but the first is done in any case") {

@@ -23,6 +23,18 @@ class Numbers final : public Rendering {
   }
 };
 
+class Blank final : public Frame {
+ public:
+  explicit Blank(ImageSize size, Blend blend = Blend::linear) : size_(size), blend_(blend) {}
+  ImageSize size() const override { return size_; }
+  Blend blend() const override { return blend_; }
+  void trace(std::span<const SamplePoint>, std::span<Hit>, Counters&) const override {}
+
+ private:
+  ImageSize size_;
+  Blend blend_;
+};
+
 class Throwing final : public Rendering {
  public:
   void render(PixelBlock& block) const override {
@@ -41,7 +53,7 @@ TEST_CASE("every pixel is rendered once, in blocks of whole columns numbered fro
       std::vector<std::atomic<int>> visits(70);
       std::vector<std::atomic<int>> calls(workers.blocks(size));
       std::atomic<bool> all_right = true;
-      workers.render(Numbers(), size, true, [&](std::size_t index, const PixelBlock& block) {
+      workers.render(Numbers(), Blank(size), true, [&](std::size_t index, const PixelBlock& block) {
         ++calls[index];
         all_right = all_right && block.x0 == static_cast<int>(index) * width && block.y0 == 0 &&
                     block.height == size.height && block.recording() && block.counters.queries == block.slots();
@@ -51,6 +63,19 @@ TEST_CASE("every pixel is rendered once, in blocks of whole columns numbered fro
       CHECK(all_right);
       CHECK(std::all_of(calls.begin(), calls.end(), [](int count) { return count == 1; }));
       CHECK(std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; }));
+    }
+  }
+}
+
+TEST_CASE("blocks know what their frame averages") {
+  for (const Blend blend : {Blend::linear, Blend::as_stored}) {
+    for (const bool recording : {false, true}) {
+      int blocks = 0;
+      Workers(1, 4).render(Numbers(), Blank({9, 2}, blend), recording, [&](std::size_t, const PixelBlock& block) {
+        ++blocks;
+        CHECK(block.blend() == blend);
+      });
+      CHECK(blocks == 3);
     }
   }
 }
@@ -69,11 +94,11 @@ TEST_CASE("without a number of threads there are as many as cores, at least one"
 TEST_CASE("what a renderer throws comes out of the call, from any thread") {
   for (const int threads : {1, 2}) {
     const Workers workers(threads, 1);
-    CHECK_THROWS_AS(workers.render(Throwing(), {9, 2}, false, [](std::size_t, const PixelBlock&) {}),
+    CHECK_THROWS_AS(workers.render(Throwing(), Blank({9, 2}), false, [](std::size_t, const PixelBlock&) {}),
                     std::runtime_error);
     // And the workers go on working.
     std::atomic<int> blocks = 0;
-    workers.render(Numbers(), {9, 2}, false, [&](std::size_t, const PixelBlock&) { ++blocks; });
+    workers.render(Numbers(), Blank({9, 2}), false, [&](std::size_t, const PixelBlock&) { ++blocks; });
     CHECK(blocks == 9);
   }
 }
@@ -81,7 +106,7 @@ TEST_CASE("what a renderer throws comes out of the call, from any thread") {
 TEST_CASE("what a consumer throws comes out of the call, whatever it is") {
   for (const int threads : {1, 2}) {
     CHECK_THROWS_AS(Workers(threads, 1)
-                        .render(Numbers(), {9, 2}, false,
+                        .render(Numbers(), Blank({9, 2}), false,
                                 [](std::size_t index, const PixelBlock&) {
                                   if (index == 5) throw 7;
                                 }),

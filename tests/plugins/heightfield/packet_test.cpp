@@ -138,7 +138,7 @@ Tested compare(const Map& map, const std::vector<View>& views) {
       for (const Lookup* lookup : {static_cast<const Lookup*>(nullptr), static_cast<const Lookup*>(across.get())}) {
         CAPTURE(view.caption, view.yaw, view.pitch, view.fov, levels, lookup != nullptr);
         const heightfield::Look look = ground.look(view, {{"levels", std::string(levels)}});
-        const heightfield::HeightfieldFrame frame(look, sky, ground.texture);
+        const heightfield::HeightfieldFrame frame(look, sky, ground.texture, false);
         const Deposits one_by_one = deposits(frame, batch, lookup, 1);
         CHECK(difference(deposits(frame, batch, lookup, batch.lines.size()), one_by_one) == "");
         CHECK(difference(deposits(frame, batch, lookup, 7), one_by_one) == "");
@@ -196,7 +196,7 @@ TEST_CASE("lines followed side by side fill every pixel") {
   const Ground ground(map);
   for (const View& view : random_views(map, 50)) {
     CAPTURE(view.caption);
-    const heightfield::HeightfieldFrame frame(ground.look(view, {}), sky, ground.texture);
+    const heightfield::HeightfieldFrame frame(ground.look(view, {}), sky, ground.texture, false);
     const Batch batch(view.size);
     const Deposits all = deposits(frame, batch, nullptr, batch.lines.size());
     // Each run's end and each sum of runs is rounded once; a run ends within the image, a sum within the pixel.
@@ -216,7 +216,7 @@ TEST_CASE("lines followed side by side get the same bits from all vectors of thi
   for (const View& view : random_views(map, 30)) {
     CAPTURE(view.caption);
     const heightfield::HeightfieldFrame frame(ground.look(view, {{"levels", std::string("floor")}}), sky,
-                                              ground.texture);
+                                              ground.texture, false);
     const Batch batch(view.size);
     const Deposits best = deposits(frame, batch, across.get(), batch.lines.size());
     for (const std::int64_t target : targets) {

@@ -23,11 +23,11 @@ std::map<std::string, double> column_coverage(const Sampler& sampler, const Fram
 
   const Workers workers(1);
   std::vector<MergedBlock> exact;
-  workers.render(ColumnLine(frame), size, true,
+  workers.render(ColumnLine(frame), frame, true,
                  [&](std::size_t, const PixelBlock& block) { exact.emplace_back(block); });
   Picture picture{size, std::vector<Color>(static_cast<std::size_t>(size.width * size.height))};
   Counters counters;
-  workers.render(*sampler.begin({.frame = frame}), size, true, [&](std::size_t index, const PixelBlock& block) {
+  workers.render(*sampler.begin({.frame = frame}), frame, true, [&](std::size_t index, const PixelBlock& block) {
     metric->block(block, exact[index]);
     counters += block.counters;
   });

@@ -54,9 +54,10 @@ const std::vector<MadeScene>& scenes() {
 // with every lookup that the scene allows.
 template <class Check>
 void for_each_pair(Check check) {
+  std::vector<std::unique_ptr<Frame>> frames;  // all kept, so that each has an address of its own
   for (const MadeScene& made : scenes()) {
     const Questions answered = made.plugin->scene->answers(made.settings);
-    const auto frame = made.scene->frame(made.settings, size);
+    const Frame& frame = *frames.emplace_back(made.scene->frame(made.settings, size));
     for (const Plugin* plugin : catalog().all(Kind::sampler)) {
       for (const Settings& settings : variants(plugin->parameters())) {
         if (!has(answered, plugin->sampler->asks(settings))) continue;
@@ -65,7 +66,7 @@ void for_each_pair(Check check) {
           const auto made_lookup = make_lookup(lookup.name);
           if (made_lookup && !has(answered, Questions::surface)) continue;
           CAPTURE(made.plugin->name, plugin->name, lookup.name, settings.values());
-          check(*sampler, *plugin, *frame, made_lookup.get());
+          check(*sampler, *plugin, frame, made_lookup.get());
         }
       }
     }

@@ -2,9 +2,8 @@
 //
 // Strands are pieces of chains. They are sorted by x into groups that do not touch. In a group everything behind the
 // foremost layer that covers all of it is left out, and what remains falls into groups again. A group of strands that
-// go straight from the top of its stretch of y to the bottom without crossing is read from left to right; any other is
-// divided in y, where a strand bends, ends or crosses its neighbour, as near the middle as there is one, and each part
-// begins anew.
+// run side by side from one y to another without crossing is read from left to right; any other is divided in y, where
+// a strand ends or crosses its neighbour, as near the middle as there is such a place, and each part begins anew.
 #pragma once
 
 #include <algorithm>
@@ -26,6 +25,7 @@ struct Strand {
   std::uint32_t layer;
   int direction;
   double left, right;
+  bool has_level;  // some stretch of it is level
 };
 
 class Cluster {
@@ -53,7 +53,8 @@ class Cluster {
       const Strand& s = strands[k];
       const PathPoint &a = s.path[0], &b = s.path[s.segments];
       const auto place = std::lower_bound(local_.begin(), local_.end(), s.layer) - local_.begin();
-      items_.push_back({k, static_cast<std::uint32_t>(place), 0, s.segments - 1, a.x, a.y, b.x, b.y, s.left, s.right});
+      items_.push_back(
+          {k, static_cast<std::uint32_t>(place), 0, s.segments - 1, a.x, a.y, b.x, b.y, s.left, s.right, 0});
     }
   }
 
@@ -69,10 +70,28 @@ class Cluster {
     std::uint32_t strand, layer;  // layer: an index of local_
     std::uint32_t first, last;
     double xa, ya, xb, yb, left, right;
+    double key;  // by which is_ordered() sorts
   };
 
   // Equal but for rounding: closer than two edges can be told apart at x.
   static double slack(double x) { return 0x1p-51 * std::max(1.0, std::abs(x)); }
+
+  // Most groups are so small that nothing is faster than insertion.
+  template <class Less>
+  void sort(std::size_t begin, std::size_t end, Less less) {
+    if (end - begin > 16) {
+      std::sort(items_.begin() + static_cast<std::ptrdiff_t>(begin), items_.begin() + static_cast<std::ptrdiff_t>(end),
+                less);
+      return;
+    }
+    for (std::size_t k = begin + 1; k < end; ++k) {
+      if (!less(items_[k], items_[k - 1])) continue;
+      const Item item = items_[k];
+      std::size_t place = k;
+      for (; place > begin && less(item, items_[place - 1]); --place) items_[place] = items_[place - 1];
+      items_[place] = item;
+    }
+  }
 
   int direction(const Item& item) const { return strands_[item.strand].direction; }
   const PathPoint* path(const Item& item) const { return strands_[item.strand].path; }
@@ -101,8 +120,7 @@ class Cluster {
   // Items [begin, end) of items_, between ya and yb. Afterwards the winding numbers are those on their right.
   template <class Sink>
   void groups(std::size_t begin, std::size_t end, double ya, double yb, Sink& sink) {
-    std::sort(items_.begin() + static_cast<std::ptrdiff_t>(begin), items_.begin() + static_cast<std::ptrdiff_t>(end),
-              [](const Item& a, const Item& b) { return a.left < b.left; });
+    sort(begin, end, [](const Item& a, const Item& b) { return a.left < b.left; });
     for (std::size_t first = begin; first < end;) {
       double right = items_[first].right;
       std::size_t next = first + 1;
@@ -157,51 +175,111 @@ class Cluster {
       return;
     }
     double cut = 0;
-    if (find_bend(begin, end, ya, yb, cut) || !is_ordered(begin, end, ya, yb, cut)) {
+    if (find_end(begin, end, ya, yb, cut) || !is_ordered(begin, end, ya, yb, cut)) {
       divide(begin, end, ya, cut, yb, sink);
       return;
     }
     for (std::size_t k = begin; k < end; ++k) pass(items_[k], sink);
   }
 
-  // The place nearest the middle where an item bends or ends between ya and yb, if there is one.
-  bool find_bend(std::size_t begin, std::size_t end, double ya, double yb, double& cut) const {
-    const double middle = (ya + yb) / 2;
-    bool found = false;
-    const auto consider = [&](double y) {
-      if (y <= ya || y >= yb || (found && std::abs(y - middle) >= std::abs(cut - middle))) return;
-      found = true;
-      cut = y;
-    };
-    for (std::size_t k = begin; k < end; ++k) {
-      const Item& item = items_[k];
-      consider(item.ya);
-      consider(item.yb);
-      for (std::uint32_t v = item.first + 1; v <= item.last; ++v) consider(path(item)[v].y);
+  // Of places between ya and yb, the one nearest the middle.
+  class Cut {
+   public:
+    Cut(double ya, double yb) : ya_(ya), yb_(yb) {}
+    bool is_inside(double y) const { return y > ya_ && y < yb_; }
+    void consider(double y) {
+      if (!is_inside(y) || (found_ && std::abs(y - (ya_ + yb_) / 2) >= std::abs(y_ - (ya_ + yb_) / 2))) return;
+      found_ = true;
+      y_ = y;
     }
-    return found;
+    bool found() const { return found_; }
+    double y() const { return y_; }
+
+   private:
+    double ya_, yb_, y_ = 0;
+    bool found_ = false;
+  };
+
+  // A place where some items end or run level. False: between ya and yb all begin and end at the same places.
+  bool find_end(std::size_t begin, std::size_t end, double& ya, double& yb, double& y) const {
+    const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = items_.begin() + static_cast<std::ptrdiff_t>(end);
+    // What two strands that begin or end together leave free belongs to neither.
+    ya = first->ya;
+    yb = first->yb;
+    for (auto item = first + 1; item != last; ++item) {
+      ya = std::min(ya, item->ya);
+      yb = std::max(yb, item->yb);
+    }
+    Cut cut(ya, yb);
+    for (auto item = first; item != last; ++item) {
+      cut.consider(item->ya);
+      cut.consider(item->yb);
+      if (!strands_[item->strand].has_level) continue;
+      for (std::uint32_t v = item->first + 1; v < item->last; ++v) {
+        if (path(*item)[v].y == path(*item)[v + 1].y) cut.consider(path(*item)[v].y);
+      }
+    }
+    y = cut.y();
+    return cut.found();
   }
 
-  // Sorts items that are straight from ya to yb by x in the middle, since vertices that edges share tie at the ends.
-  // False: some neighbours cross, at `cut`.
-  bool is_ordered(std::size_t begin, std::size_t end, double ya, double yb, double& cut) {
-    std::sort(items_.begin() + static_cast<std::ptrdiff_t>(begin), items_.begin() + static_cast<std::ptrdiff_t>(end),
-              [](const Item& a, const Item& b) {
-                const double ma = a.xa + a.xb, mb = b.xa + b.xb;
-                return ma < mb || (ma == mb && a.strand < b.strand);
-              });
+  // Sorts items that all run from ya to yb. Not by their ends alone, since vertices that edges share tie there. False:
+  // some neighbours cross, at `y`.
+  bool is_ordered(std::size_t begin, std::size_t end, double ya, double yb, double& y) {
     const double middle = (ya + yb) / 2;
-    bool ordered = true;
-    for (std::size_t k = begin + 1; k < end; ++k) {
-      const Item &p = items_[k - 1], &q = items_[k];
-      const double above = q.xa - p.xa, below = q.xb - p.xb;
-      if (above >= -slack(p.xa) && below >= -slack(p.xb)) continue;
-      const double y = ya + above / (above - below) * (yb - ya);
-      if (!(y > ya && y < yb) || (!ordered && std::abs(y - middle) >= std::abs(cut - middle))) continue;
-      ordered = false;
-      cut = y;
+    for (std::size_t k = begin; k < end; ++k) {
+      Item& item = items_[k];
+      if (strands_[item.strand].has_level) trim(item);
+      item.key = item.xa + item.xb +
+                 (item.first == item.last ? item.xa + item.xb : 2 * x_on(item, segment_at(item, middle), middle));
     }
-    return ordered;
+    sort(begin, end,
+         [](const Item& a, const Item& b) { return a.key < b.key || (a.key == b.key && a.strand < b.strand); });
+    Cut cut(ya, yb);
+    for (std::size_t k = begin + 1; k < end; ++k) compare(items_[k - 1], items_[k], cut);
+    y = cut.y();
+    return !cut.found();
+  }
+
+  // Leaves out level stretches at the ends, which join nothing that lies between them.
+  void trim(Item& item) const {
+    const PathPoint* p = path(item);
+    while (p[item.first + 1].y == item.ya) item.xa = p[++item.first].x;
+    while (p[item.last].y == item.yb) item.xb = p[item.last--].x;
+  }
+
+  // Considers where `right`, which ought to lie right of `left`, does not: their crossing, or, where that is one of the
+  // ends, the bend next to it.
+  void compare(const Item& left, const Item& right, Cut& cut) const {
+    const PathPoint *p = path(left), *q = path(right);
+    std::uint32_t i = left.first, j = right.first;
+    double y = left.ya, gap = right.xa - left.xa;
+    bool was_ordered = gap >= -slack(left.xa);
+    while (true) {
+      const double end_p = i < left.last ? p[i + 1].y : left.yb, end_q = j < right.last ? q[j + 1].y : right.yb;
+      const double next = std::min(end_p, end_q);
+      const bool is_end = i == left.last && j == right.last;
+      const double xp = is_end ? left.xb : x_at(p[i], p[i + 1], next);
+      const double xq = is_end ? right.xb : x_at(q[j], q[j + 1], next);
+      const double next_gap = xq - xp;
+      const bool is_now = next_gap >= -slack(xp);
+      if (!was_ordered || !is_now) {
+        const double crossing = gap == next_gap ? y : y + gap / (gap - next_gap) * (next - y);
+        if (was_ordered != is_now && cut.is_inside(crossing)) {
+          cut.consider(crossing);
+        } else {
+          cut.consider(next);
+          cut.consider(y);
+        }
+      }
+      if (is_end) return;
+      if (end_p == next && i < left.last) ++i;
+      if (end_q == next && j < right.last) ++j;
+      y = next;
+      gap = next_gap;
+      was_ordered = is_now;
+    }
   }
 
   template <class Sink>
@@ -226,6 +304,12 @@ class Cluster {
     items_.resize(base);
   }
 
+  // The segment of `item` that is at y.
+  std::uint32_t segment_at(const Item& item, double y) const {
+    std::uint32_t segment = item.first;
+    while (segment < item.last && path(item)[segment + 1].y <= y) ++segment;
+    return segment;
+  }
   // x of `item` at y, on segment `segment`.
   double x_on(const Item& item, std::uint32_t segment, double y) const {
     const PathPoint* p = path(item) + segment;
@@ -244,7 +328,7 @@ class Cluster {
   Item lower(const Item& item, double cut) const {
     if (item.ya > cut) return item;
     Item part = item;
-    while (part.first < part.last && path(item)[part.first + 1].y <= cut) ++part.first;
+    part.first = segment_at(item, cut);
     part.xa = x_on(item, part.first, cut);
     part.ya = cut;
     return measured(part);

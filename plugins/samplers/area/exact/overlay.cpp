@@ -72,6 +72,9 @@ Overlay::Overlay(Layers layers) : layers_(std::move(layers)) {
   const Chains chains(scaled, rows, right);
   Joiner joiner(chains.point_count(), boundaries_);
   Rows(scaled, chains, right, joiner).sweep(0, rows);
+  // As buckets of rows want them.
+  std::stable_sort(boundaries_.begin(), boundaries_.end(),
+                   [](const Boundary& a, const Boundary& b) { return a.upper.y < b.upper.y; });
   for (Boundary& b : boundaries_) {
     for (moire::Point* p : {&b.upper, &b.lower}) *p = {(p->x - to_rows.x0) / scale, (p->y - to_rows.y0) / scale};
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exact/replayed_row.h"
+#include "exact/replayed_rows.h"
 
 namespace area {
 
@@ -47,18 +47,13 @@ void Prepared::place(const moire::Affine& placement) {
 
 void Prepared::render(moire::PixelBlock& block) const {
   block.fill([&](auto add) {
-    RowPixels pixels(overlay_->layers(), size_.width, block, add);
-    ReplayedRow row(pixels);
+    ReplayedRows rows(overlay_->layers(), size_.width, block, add);
     RowBuckets::for_each(block.y0, block.y0 + block.height, [&](int bucket, int first, int end) {
-      row.begin_bucket();
-      const auto entries = buckets_[bucket];
-      std::size_t next = 0;
-      for (int y = first; y < end; ++y) {
-        for (; next < entries.size() && boundaries_[entries[next]].upper.y < y + 1; ++next) {
-          if (boundaries_[entries[next]].lower.y > y) row.enter(boundaries_[entries[next]], y);
-        }
-        row.deposit(y);
+      rows.begin(first, end);
+      for (const std::uint32_t k : buckets_[bucket]) {
+        if (boundaries_[k].upper.y < end && boundaries_[k].lower.y > first) rows.add(boundaries_[k]);
       }
+      rows.deposit();
     });
   });
   block.counters.queries += static_cast<std::uint64_t>(block.width) * static_cast<std::uint64_t>(block.height);

@@ -115,6 +115,11 @@ class RowPixels {
   // Deposits the pixels [begin, end), all alike.
   void deposit_solid(int begin, int end, const Content& content) {
     const int first = std::max(begin, block_.x0), last = std::min(end, block_.x0 + block_.width);
+    if (!recorded && block_.across() == 1 && first < last) {
+      const moire::Color color{static_cast<float>(content.sum.r), static_cast<float>(content.sum.g),
+                               static_cast<float>(content.sum.b)};
+      return block_.add_run({slot(first), static_cast<std::size_t>(last - first), color});
+    }
     for (int pixel = first; pixel < last; ++pixel) deposit(slot(pixel), content);
   }
 
@@ -186,11 +191,11 @@ class RowPixels {
   }
 
   const Layers& layers_;
-  const int width_;
+  int width_;
   moire::PixelBlock& block_;
-  const Add add_;
+  Add add_;
   // Less is what rounding leaves of a layer that is gone: some boundaries, each known to half a digit of the largest x.
-  const double nothing_;
+  double nothing_;
   std::size_t slot_ = 0;
   std::vector<Cell> cells_;
   std::vector<std::vector<Passage>> passages_;  // in each pixel, from it on; only if recorded

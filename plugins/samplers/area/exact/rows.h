@@ -63,6 +63,7 @@ class Rows {
     std::uint32_t layer;
     int direction;
     std::uint32_t path, segments;  // in the row
+    bool has_level;                // in the row
   };
 
   void enter(const Chain& chain, int y) {
@@ -72,7 +73,7 @@ class Rows {
     if (after == p + chain.last + 1) return;
     const auto point = std::max(chain.first + 1, static_cast<std::uint32_t>(after - p)) - 1;
     const double x = p[point].y < y ? x_at(p[point], p[point + 1], y) : p[point].x;
-    active_.push_back({0, 0, x, point, chain.last, chain.layer, chain.direction, 0, 0});
+    active_.push_back({0, 0, x, point, chain.last, chain.layer, chain.direction, 0, 0, false});
   }
 
   // Finds the strand of a chain in row y.
@@ -87,8 +88,10 @@ class Rows {
       a.left = std::min(a.left, x);
       a.right = std::max(a.right, x);
     };
+    a.has_level = false;
     std::uint32_t next = a.point + 1;
     for (; next <= a.last && p[next].y < bottom; ++next) {
+      a.has_level = a.has_level || p[next].y == p[next - 1].y;
       path_.push_back({p[next].x, p[next].y - top, next});
       widen(p[next].x);
     }
@@ -180,7 +183,7 @@ class Rows {
     strands_.clear();
     for (std::size_t k = begin; k < end; ++k) {
       const Active& a = active_[k];
-      strands_.push_back({&path_[a.path], a.segments, a.layer, a.direction, a.left, a.right});
+      strands_.push_back({&path_[a.path], a.segments, a.layer, a.direction, a.left, a.right, a.has_level});
     }
     // What covers all of the cluster is found without the layers that have strands in it.
     for (const Strand& s : strands_) {

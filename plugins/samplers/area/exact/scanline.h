@@ -191,6 +191,9 @@ class Scanline {
   void run(int begin, int end, std::uint32_t layer) {
     const int first = std::max(begin, block_.x0), last = std::min(end, block_.x0 + block_.width);
     if (first >= last) return;
+    if (!block_.recording() && block_.across() == 1) {
+      return block_.add_run({block_.slot(first, y_), static_cast<std::size_t>(last - first), layers_[layer].color});
+    }
     for (int x = first; x < last; ++x) add_(block_.slot(x, y_), layers_[layer].element, 1, layers_[layer].color);
   }
 

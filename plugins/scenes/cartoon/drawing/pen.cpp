@@ -104,6 +104,10 @@ void Pen::arc_to(double rx, double ry, double angle_deg, bool large, bool rising
   rx = std::abs(rx), ry = std::abs(ry);
   check({rx, ry});
   check(p);
+  if (!(std::abs(angle_deg) <= largest_coordinate)) {
+    throw moire::Error(
+        fmt::format("is turned by {:.6g} degrees; at most {:g} are taken", angle_deg, largest_coordinate));
+  }
   if (p == at_) return;
   // Both ways along one arc must give the same bits, so that shapes that share it fit.
   const bool backward = comes_before(p, at_);

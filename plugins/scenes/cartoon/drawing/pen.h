@@ -20,7 +20,7 @@ class Pen {
   void cubic_to(moire::Point control1, moire::Point control2, moire::Point p);
   // An arc of the ellipse with these radii, its x axis turned by `angle_deg`: the longer way round or the shorter one,
   // with rising angles (clockwise, as y grows downward) or falling ones. Radii too small are enlarged, and without
-  // radii it is a line (SVG 1.1, appendix F.6).
+  // radii it is a line (SVG 1.1, appendix F.6). Error: also, an angle that is no such number.
   void arc_to(double rx, double ry, double angle_deg, bool large, bool rising, moire::Point p);
   // Back to where the contour began; what follows begins there.
   void close();

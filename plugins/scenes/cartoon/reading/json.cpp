@@ -1,6 +1,5 @@
 #include "json.h"
 
-#include <cmath>
 #include <iterator>
 #include <string>
 

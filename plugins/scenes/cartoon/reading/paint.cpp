@@ -71,7 +71,8 @@ std::optional<Rgb> parse_function(std::string_view text) {
     percent = has_sign;
     if (percent) {
       numbers.advance();
-      *value *= 2.55;
+      *value *= 255;
+      *value /= 100;
     }
     channels[k] = static_cast<std::uint8_t>(std::lround(std::clamp(*value, 0.0, 255.0)));
   }

@@ -14,6 +14,7 @@ CartoonFrame::CartoonFrame(std::shared_ptr<const Outlines> outlines, const moire
     : outlines_(std::move(outlines)), placement_(placement), size_(size), background_(background), blend_(blend) {
   points_.reserve(outlines_->points().size());
   boxes_.reserve(outlines_->layers());
+  hits_.reserve(outlines_->layers() + 1);
   for (std::size_t k = 0; k < outlines_->layers(); ++k) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     moire::Rectangle box{infinity, infinity, -infinity, -infinity};
@@ -24,7 +25,9 @@ CartoonFrame::CartoonFrame(std::shared_ptr<const Outlines> outlines, const moire
       box.y0 = std::min(box.y0, p.y), box.y1 = std::max(box.y1, p.y);
     }
     boxes_.push_back(box);
+    hits_.push_back({k + 1, outlines_->layer(k).color});
   }
+  hits_.push_back({moire::background, background_});
 }
 
 const Edges& CartoonFrame::edges() const {
@@ -32,24 +35,10 @@ const Edges& CartoonFrame::edges() const {
   return *edges_;
 }
 
-moire::Hit CartoonFrame::hit_of(std::uint32_t layer) const {
-  if (layer == Stack::empty) return {moire::background, background_};
-  return {layer + 1, outlines_->layer(layer).color};
-}
-
 void CartoonFrame::trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
                          moire::Counters& counters) const {
-  thread_local std::vector<std::uint32_t> layers;
-  layers.resize(points.size());
-  find_layers(edges(), outlines_->layers(), points, layers);
   counters.queries += points.size();
-  std::uint32_t layer = Stack::empty;
-  moire::Hit hit = hit_of(layer);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (layers[k] != layer) hit = hit_of(layer = layers[k]);
-    hits[k] = hit;
-    counters.hits += layer != Stack::empty ? 1 : 0;
-  }
+  counters.hits += find_hits(edges(), hits_, points, hits);
 }
 
 void CartoonFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup*, moire::Tally& pieces) const {
@@ -66,7 +55,7 @@ void CartoonFrame::along(std::span<const moire::ImageLine> lines, const moire::L
         ++pieces.counters.queries;
         while (run->end <= begin) ++run;
         for (auto part = run; part != runs.end() && part->begin < end; ++part) {
-          const moire::Hit hit = hit_of(part->layer);
+          const moire::Hit& hit = part->layer == Stack::empty ? hits_.back() : hits_[part->layer];
           add(first_slot + i, hit.element, std::min(part->end, end) - std::max(part->begin, begin), hit.color);
           pieces.counters.hits += part->layer != Stack::empty ? 1 : 0;
         }

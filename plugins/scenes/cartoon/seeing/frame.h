@@ -43,14 +43,13 @@ class CartoonFrame final : public moire::Frame, private moire::Lines, private mo
   // Made when it is first asked for: samplers that take polygons never do.
   const Edges& edges() const;
 
-  moire::Hit hit_of(std::uint32_t layer) const;
-
   std::shared_ptr<const Outlines> outlines_;
   moire::Affine placement_;
   moire::ImageSize size_;
   moire::Color background_;
   moire::Blend blend_;
   std::vector<moire::Point> points_;     // in the image, as outlines_->points()
+  std::vector<moire::Hit> hits_;         // of each layer, and the background
   std::vector<moire::Rectangle> boxes_;  // around each layer, in the image
   mutable std::once_flag edges_once_;
   mutable std::optional<Edges> edges_;

@@ -14,9 +14,11 @@
 
 namespace cartoon {
 
-// Writes the layer of each point, or Stack::empty. What a point gets does not depend on the others, but many that
-// follow one another upward in one column are answered together. `layers`: how many there are.
-void find_layers(const Edges& edges, std::size_t layers, std::span<const moire::SamplePoint> points,
-                 std::span<std::uint32_t> found);
+// Makes `hits` those of the points: with[layer], or the last one where no layer is. Returns how many hits
+// are layers. What a point gets does not depend
+// on the others, but many that follow one another upward at one x are answered together. Requires: one more in `with`
+// than there are layers, and as many hits as points.
+std::size_t find_hits(const Edges& edges, std::span<const moire::Hit> with, std::span<const moire::SamplePoint> points,
+                      std::span<moire::Hit> hits);
 
 }  // namespace cartoon

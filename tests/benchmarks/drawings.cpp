@@ -1,0 +1,136 @@
+#include "drawings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "interleaved.h"
+#include "metrics/picture.h"
+#include "peers.h"
+#include "terrain_views.h"
+
+namespace moire::benchmark {
+
+namespace {
+
+constexpr const char* drawings[] = {"cats", "corn",  "cup",   "dinosaur", "fish",
+                                    "frog", "house", "lemon", "pumpkin",  "tractor"};
+constexpr int rounds = 15;
+
+// A frame rendered as the host does it, into the same picture every time.
+class Renderer {
+ public:
+  Renderer(std::unique_ptr<Contender> contender, const Frame& frame)
+      : contender_(std::move(contender)),
+        frame_(frame),
+        picture_{frame.size(), std::vector<Color>(static_cast<std::size_t>(frame.size().width) *
+                                                  static_cast<std::size_t>(frame.size().height))} {}
+
+  void draw(const Workers& workers, const Rendering* previous = nullptr) {
+    rendering_ = contender_->begin(frame_, 1, 0, previous);
+    workers.render_runs(*rendering_, frame_, false,
+                        [&](std::size_t, const PixelBlock& block) { put(block, picture_); });
+  }
+  const Rendering* rendering() const { return rendering_.get(); }
+  const Picture& picture() const { return picture_; }
+
+ private:
+  std::unique_ptr<Contender> contender_;
+  const Frame& frame_;
+  Picture picture_;
+  std::unique_ptr<Rendering> rendering_;
+};
+
+// Root of the mean square of all channels, in levels.
+double error_of(const Peer& peer, const Picture& truth) {
+  std::vector<double> differences;
+  for (int y = 0; y < truth.size.height; ++y) {
+    for (int x = 0; x < truth.size.width; ++x) {
+      const Color c = truth.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.size.width) +
+                                   static_cast<std::size_t>(x)];
+      const float light[] = {c.r, c.g, c.b};
+      for (int channel = 0; channel < 3; ++channel)
+        differences.push_back(peer.code(x, y, channel) - levels_of_full_scale * linear_to_srgb(light[channel]));
+    }
+  }
+  return root_mean_square(differences);
+}
+
+// Geometric means over all drawings and sizes.
+class Means {
+ public:
+  void add(const std::string& name, double value) {
+    logs_[name].first += std::log(value);
+    ++logs_[name].second;
+  }
+  void print() const {
+    for (const auto& [name, sum] : logs_) fmt::print("    {:<40} {:.3f}\n", name, std::exp(sum.first / sum.second));
+  }
+
+ private:
+  std::map<std::string, std::pair<double, int>> logs_;
+};
+
+}  // namespace
+
+void run_drawings(const Catalog& catalog) {
+  const Plugin* plugin = catalog.find(Kind::scene, "cartoon");
+  const Workers one(1);
+  Means means;
+  fmt::print("Drawings: ms a frame, one thread, to float pixels (peers: 8-bit); medians of {} rounds.\n", rounds);
+  for (const char* drawing : drawings) {
+    Settings settings(plugin->parameters());
+    settings.set("file", std::string(std::getenv("MOIRE_DATA")) + "/cartoon/" + drawing + ".svg");
+    const auto scene = plugin->scene->make(settings);
+    // Errors are of averages of stored numbers, which is what peers make. Turning those into light afterwards is not
+    // what is to be timed, so times are of light.
+    settings.set("blend", std::string("as_stored"));
+    const auto stored = plugin->scene->make(settings);
+    for (const int side : {512, 1024}) {
+      const ImageSize size{side, side};
+      const auto frame = scene->frame(settings, size), stored_frame = stored->frame(settings, size);
+      const auto exact = [&](const char* integrator) {
+        return std::make_unique<Renderer>(
+            contender(catalog, "area", {{"method", std::string("exact")}, {"integrator", std::string(integrator)}}),
+            *frame);
+      };
+      const auto sweep = exact("sweep"), prepared = exact("prepared"), replayed = exact("prepared"),
+                 catmull = exact("catmull");
+      prepared->draw(one);
+      Renderer point(contender(catalog, "point", {}), *frame);
+      Renderer sixteen(contender(catalog, "supersample", {{"n", std::int64_t{16}}, {"layout", std::string("grid")}}),
+                       *frame);
+      auto others = peers(painted_layers(*stored_frame), stored_frame->polygons()->background_color(), size);
+      Renderer truth(contender(catalog, "area", {{"method", std::string("exact")}}), *stored_frame);
+      truth.draw(one);
+
+      std::vector<Work> works = {{"sweep", [&] { sweep->draw(one); }},
+                                 {"replay", [&] { replayed->draw(one, prepared->rendering()); }},
+                                 {"prepare", [&] { prepared->draw(one); }},
+                                 {"catmull", [&] { catmull->draw(one); }},
+                                 {"point", [&] { point.draw(one); }}};
+      for (auto& peer : others) works.push_back({peer->name(), [&] { peer->draw(); }});
+      const auto t = interleaved(works, rounds);
+      const auto s = interleaved({{"16x16", [&] { sixteen.draw(one); }}}, 1);
+      std::string line = fmt::format("  {:<9}{:>5}", drawing, side);
+      for (std::size_t k = 0; k < works.size(); ++k) line += fmt::format("  {} {:.2f}", works[k].name, t[k].median());
+      fmt::print("{}  16x16 {:.1f}; rmse", line, s[0].median());
+      for (auto& peer : others) fmt::print(" {} {:.2f}", peer->name(), error_of(*peer, truth.picture()));
+      fmt::print(" 16x16 {:.3f} of 255\n",
+                 root_mean_square(differences(sixteen.picture(), sweep->picture(), Space::srgb)));
+      for (std::size_t p = 5; p < works.size(); ++p) {
+        for (std::size_t k = 0; k < 5; ++k)
+          means.add(works[k].name + " over " + works[p].name, ratio(t[k], t[p]).median);
+        if (ratio(t[0], t[p]).median > 2) fmt::print("    sweep takes more than twice as long as {}\n", works[p].name);
+      }
+      means.add("sweep over 16x16", t[0].median() / s[0].median());
+    }
+  }
+  means.print();
+}
+
+}  // namespace moire::benchmark
