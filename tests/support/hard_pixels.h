@@ -22,7 +22,8 @@ struct HardPixel {
 // What is hard about them.
 std::span<const std::string_view> hard_pixel_kinds();
 
-// The same for the same kind and seed everywhere. Requires: kind is one of hard_pixel_kinds().
+// The same for the same kind and seed, with one compiler and mathematical library. Requires: kind is one of
+// hard_pixel_kinds().
 HardPixel hard_pixel(std::string_view kind, std::uint64_t seed);
 
 }  // namespace moire::test

@@ -84,8 +84,9 @@ Picture picture(const std::string& integrator, const Frame& frame) {
   return result;
 }
 
-// A line for each pixel in which an integrator is more than `bound` off the sweep, or whose weights do not sum to 1.
-std::string disagreements(const char* drawing, int side, double bound) {
+// A line for each pixel in which an integrator is off the sweep, or whose weights do not sum to 1.
+std::string disagreements(const char* drawing, int side) {
+  constexpr double bound = 1e-9;
   const auto frame = Drawing(drawing).frame({side, side});
   std::string lines;
   Picture sweep;
@@ -99,39 +100,23 @@ std::string disagreements(const char* drawing, int side, double bound) {
       sweep = std::move(found);
       continue;
     }
-    double largest = 0;
     for (std::size_t k = 0; k < found.colors.size(); ++k) {
       const double off = difference(found.colors[k], sweep.colors[k]);
-      largest = std::max(largest, off);
       if (off <= bound) continue;
       const std::size_t width = static_cast<std::size_t>(side);
       lines += fmt::format("{} at {}: pixel ({}, {}) of {} is {:.2g} off that of sweep\n", drawing, side, k % width,
                            k / width, integrator, off);
     }
-    UNSCOPED_INFO(fmt::format("{} at {}: {} and sweep are within {:.2g}", drawing, side, integrator, largest));
   }
   return lines;
 }
 
-// The goal is 1e-7; all pixels come within the aim.
-constexpr double aim = 1e-9;
-
 }  // namespace
 
-TEST_CASE("the three exact integrators draw the same pictures of the cartoons") {
-  if (!std::getenv("MOIRE_DATA")) SKIP("MOIRE_DATA is not set; point it at the data folder to test on its drawings");
-  for (const int side : {256, 512}) {
-    for (const char* drawing : drawings) CHECK(disagreements(drawing, side, aim) == "");
-  }
-  for (const char* drawing : {"cats", "house", "tractor"}) CHECK(disagreements(drawing, 1024, aim) == "");
-  CHECK(disagreements("frog", 2048, aim) == "");
-}
-
-// Some minutes; run by its tag.
-TEST_CASE("the three exact integrators draw the same pictures of all cartoons in all sizes", "[.][all_drawings]") {
+TEST_CASE("the three exact integrators draw the same pictures of all cartoons in all sizes") {
   if (!std::getenv("MOIRE_DATA")) SKIP("MOIRE_DATA is not set; point it at the data folder to test on its drawings");
   for (const int side : {256, 512, 1024, 2048}) {
-    for (const char* drawing : drawings) CHECK(disagreements(drawing, side, aim) == "");
+    for (const char* drawing : drawings) CHECK(disagreements(drawing, side) == "");
   }
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("edges left of the pixel and above it wind") {
 // On its side a drawing is cut into quite other slabs.
 TEST_CASE("the oracle finds the same areas in a drawing and in its mirror image about the diagonal") {
   for (const std::string_view kind : hard_pixel_kinds()) {
-    for (std::uint64_t seed = 1; seed <= (kind == "a thousand layers" ? 3 : 40); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (kind == "a thousand layers" ? 1 : 40); ++seed) {
       CAPTURE(kind, seed);
       const HardPixel pixel = hard_pixel(kind, seed);
       std::vector<FlatPolygon> mirrored = pixel.polygons;

@@ -54,7 +54,12 @@ class RowPixels {
   };
 
   RowPixels(const Layers& layers, int width, moire::PixelBlock& block, Add add)
-      : layers_(layers), width_(width), block_(block), add_(add), cells_(static_cast<std::size_t>(width) + 2) {
+      : layers_(layers),
+        width_(width),
+        block_(block),
+        add_(add),
+        nothing_(0x1p-46 * std::max(1.0, width / 256.0)),
+        cells_(static_cast<std::size_t>(width) + 2) {
     if constexpr (recorded) passages_.resize(cells_.size());
   }
 
@@ -132,8 +137,6 @@ class RowPixels {
     std::uint32_t layer;
     double weight;
   };
-  // Less than this is what rounding leaves of a layer that is gone.
-  static constexpr double nothing = 0x1p-46;
 
   // A boundary of this height in a pixel, `beyond` of whose width lies to its right.
   void deposit(int pixel, double height, double beyond, const Change& change) {
@@ -163,7 +166,7 @@ class RowPixels {
         share->weight += passage.weight;
       }
       passages_[static_cast<std::size_t>(pixel)].clear();
-      std::erase_if(content.shares, [](const auto& s) { return std::abs(s.weight) < nothing; });
+      std::erase_if(content.shares, [&](const auto& s) { return std::abs(s.weight) < nothing_; });
     }
   }
 
@@ -172,8 +175,18 @@ class RowPixels {
   void deposit(std::size_t slot, const Content& content) {
     add_.sum(slot, content.sum);
     if constexpr (recorded) {
-      for (const auto& share : content.shares)
-        add_.record(slot, layers_[share.layer].element, share.weight, layers_[share.layer].color);
+      // Whatever rounding has left of layers that are gone, or has taken too much, the layer that has most makes up
+      // for.
+      const auto most = std::max_element(content.shares.begin(), content.shares.end(),
+                                         [](const auto& a, const auto& b) { return a.weight < b.weight; });
+      double rest = 1;
+      for (auto share = content.shares.begin(); share != content.shares.end(); ++share) {
+        if (share != most && share->weight > 0) rest -= share->weight;
+      }
+      for (auto share = content.shares.begin(); share != content.shares.end(); ++share) {
+        const double weight = share == most ? rest : share->weight;
+        if (weight > 0) add_.record(slot, layers_[share->layer].element, weight, layers_[share->layer].color);
+      }
     }
   }
 
@@ -181,6 +194,8 @@ class RowPixels {
   int width_;
   moire::PixelBlock& block_;
   Add add_;
+  // Less is what rounding leaves of a layer that is gone: some boundaries, each known to half a digit of the largest x.
+  double nothing_;
   std::size_t slot_ = 0;
   std::vector<Cell> cells_;
   std::vector<std::vector<Passage>> passages_;  // in each pixel, from it on; only if recorded
