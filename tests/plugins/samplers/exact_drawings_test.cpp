@@ -65,7 +65,7 @@ Picture picture(const std::string& integrator, const Frame& frame) {
   const auto sampler = exact(integrator);
   const auto rendering = sampler->begin({.frame = frame});
   const Workers workers(1);
-  workers.render(*rendering, size, true, [&](std::size_t, const PixelBlock& block) {
+  workers.render(*rendering, frame, true, [&](std::size_t, const PixelBlock& block) {
     for (int x = block.x0; x < block.x0 + block.width; ++x) {
       for (int y = block.y0; y < block.y0 + block.height; ++y) {
         LinearColor& color = result.colors[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
@@ -139,7 +139,7 @@ TEST_CASE("a prepared picture has the same bits with a previous rendering as wit
       CAPTURE(name, &view - views.data());
       const auto frame = drawing.frame(size, view);
       auto continued = prepared->begin({.frame = *frame, .previous = previous.get()});
-      CHECK(first_difference(rendered(*prepared, *frame), rendered(*continued, size)) == "");
+      CHECK(first_difference(rendered(*prepared, *frame), rendered(*continued, *frame)) == "");
       previous = std::move(continued);
     }
   }
