@@ -160,7 +160,7 @@ TEST_CASE("a picture that cannot be drawn costs no other picture and no number")
   // The window sees the terrain to its end, far beyond what a footprint in plan may span.
   const TinyDesk desk(moving_experiment());
   const Ended ended =
-      desk.moire({"run", "tiny", "-o", "out", "--set", "scenes[0].far=20000", "--set", "scenes[0].view.height=300",
+      desk.moire({"run", "tiny", "-o", "out", "--set", "scenes[0].far=9000", "--set", "scenes[0].view.height=300",
                   "--set", "pictures[0].window.y=0", "--set", "pictures[0].window.height=8"});
   CHECK(ended.code == 1);
   const Results results = report::read_json(desk.path() / "out");

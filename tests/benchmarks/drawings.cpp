@@ -10,8 +10,15 @@
 
 #include "interleaved.h"
 #include "metrics/picture.h"
-#include "peers.h"
+#include "painted_layers.h"
 #include "terrain_views.h"
+
+#ifdef MOIRE_HAS_AGG
+#include "agg_canvas.h"
+#endif
+#ifdef MOIRE_HAS_CAIRO
+#include "cairo_canvas.h"
+#endif
 
 namespace moire::benchmark {
 
@@ -45,16 +52,28 @@ class Renderer {
   std::unique_ptr<Rendering> rendering_;
 };
 
+// All that are installed.
+std::vector<std::unique_ptr<outside::Canvas>> canvases([[maybe_unused]] const outside::Painting& painting) {
+  std::vector<std::unique_ptr<outside::Canvas>> result;
+#ifdef MOIRE_HAS_CAIRO
+  result.push_back(outside::cairo_canvas(painting));
+#endif
+#ifdef MOIRE_HAS_AGG
+  result.push_back(outside::agg_canvas(painting));
+#endif
+  return result;
+}
+
 // Root of the mean square of all channels, in levels.
-double error_of(const Peer& peer, const Picture& truth) {
+double error_of(const outside::Canvas& canvas, const Picture& truth) {
   std::vector<double> differences;
   for (int y = 0; y < truth.size.height; ++y) {
     for (int x = 0; x < truth.size.width; ++x) {
-      const Color c = truth.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.size.width) +
-                                   static_cast<std::size_t>(x)];
-      const float light[] = {c.r, c.g, c.b};
-      for (int channel = 0; channel < 3; ++channel)
-        differences.push_back(peer.code(x, y, channel) - levels_of_full_scale * linear_to_srgb(light[channel]));
+      const Color light = truth.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.size.width) +
+                                       static_cast<std::size_t>(x)];
+      const Color own = canvas.codes(x, y), exact = outside::codes_of(light, Blend::linear);
+      for (const float difference : {own.r - exact.r, own.g - exact.g, own.b - exact.b})
+        differences.push_back(levels_of_full_scale * difference);
     }
   }
   return root_mean_square(differences);
@@ -104,7 +123,7 @@ void run_drawings(const Catalog& catalog) {
       Renderer point(contender(catalog, "point", {}), *frame);
       Renderer sixteen(contender(catalog, "supersample", {{"n", std::int64_t{16}}, {"layout", std::string("grid")}}),
                        *frame);
-      auto others = peers(painted_layers(*stored_frame), stored_frame->polygons()->background_color(), size);
+      auto others = canvases(outside::painting_of(*stored_frame));
       Renderer truth(contender(catalog, "area", {{"method", std::string("exact")}}), *stored_frame);
       truth.draw(one);
 

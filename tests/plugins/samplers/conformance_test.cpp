@@ -42,7 +42,9 @@ const std::vector<MadeScene>& scenes() {
   static const std::vector<MadeScene> all = [] {
     std::vector<MadeScene> made;
     for (const Plugin* plugin : catalog().all(Kind::scene)) {
-      const Settings settings(plugin->parameters());
+      Settings settings(plugin->parameters());
+      // Near ground shows all that far ground would.
+      if (settings.values().contains("far")) settings.set("far", 400.0);
       made.push_back({plugin, settings, plugin->scene->make(settings)});
     }
     return made;

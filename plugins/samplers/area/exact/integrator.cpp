@@ -48,18 +48,6 @@ const std::vector<PixelIntegrator::Visible>& PixelIntegrator::integrate() {
   return visible_;
 }
 
-std::uint32_t PixelIntegrator::front_at(double x, double y) const {
-  const auto is_inside = [&](const Polygon& polygon) {
-    bool inside = false;
-    for (std::size_t k = polygon.begin; k < polygon.end; ++k) {
-      const Vertex &p = vertices_[k], &q = vertices_[next(polygon, k)];
-      if ((p.y <= y) != (q.y <= y) && p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y) <= x) inside = !inside;
-    }
-    return inside;
-  };
-  return std::find_if(polygons_.begin(), polygons_.end() - 1, is_inside)->layer;
-}
-
 // The polygons [first, end): the last one is the cell that the clipping has left of the pixel.
 void PixelIntegrator::integrate(std::size_t first, std::size_t end) {
   const double cell = area(polygons_[end - 1]);

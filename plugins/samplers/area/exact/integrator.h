@@ -31,8 +31,6 @@ class PixelIntegrator {
 
   // What is visible, in the order it was found; the areas sum to 1. A layer may come more than once.
   const std::vector<Visible>& integrate();
-  // The foremost layer at a point of the pixel.
-  std::uint32_t front_at(double x, double y) const;
 
  private:
   struct Polygon {

@@ -78,7 +78,7 @@ class Scanline {
         run(x, next, z_list_.empty() ? layers_.background() : pieces_[z_list_.front()].layer);
       }
       leave(next);
-      if (!irregular) {
+      if (!irregular && !jagged_) {
         for (const std::uint32_t k : z_list_) {
           if (!is_solid(k)) cut_off(pieces_[k], next, nullptr);
         }
@@ -168,6 +168,7 @@ class Scanline {
   }
 
   void pixel(int x) {
+    if (jagged_) return jagged_pixel(x);
     integrator_.clear();
     // Pieces behind a solid one are not seen, but have to be clipped for the pixels to come.
     const auto solid = std::find_if(z_list_.begin(), z_list_.end(), [&](std::uint32_t k) { return is_solid(k); });
@@ -177,16 +178,33 @@ class Scanline {
       cut_off(pieces_[*k], x + 1, k < solid ? &integrator_ : nullptr);
     }
     integrator_.solid(solid == z_list_.end() ? layers_.background() : pieces_[*solid].layer);
-    if (x < block_.x0 || x >= block_.x0 + block_.width) return;
-    const std::size_t slot = block_.slot(x, y_);
-    if (jagged_) {
-      const Layer& layer = layers_[integrator_.front_at(0.5, 0.5)];
-      add_(slot, layer.element, 1, layer.color);
-    } else {
-      for (const PixelIntegrator::Visible& visible : integrator_.integrate())
-        add_(slot, layers_[visible.layer].element, visible.area, layers_[visible.layer].color);
-    }
+    if (!is_wanted(x)) return;
+    for (const PixelIntegrator::Visible& visible : integrator_.integrate())
+      add_(block_.slot(x, y_), layers_[visible.layer].element, visible.area, layers_[visible.layer].color);
   }
+
+  // The foremost piece at the pixel's middle; nothing needs clipping.
+  void jagged_pixel(int x) {
+    if (!is_wanted(x)) return;
+    const auto front = std::find_if(z_list_.begin(), z_list_.end(),
+                                    [&](std::uint32_t k) { return is_solid(k) || is_inside(pieces_[k], x + 0.5); });
+    const Layer& layer = layers_[front == z_list_.end() ? layers_.background() : pieces_[*front].layer];
+    add_(block_.slot(x, y_), layer.element, 1, layer.color);
+  }
+  // Of the point (x, 1/2). As a sampler of points would have it, a point on a left side is inside.
+  bool is_inside(const Piece& piece, double x) const {
+    constexpr double y = 0.5;
+    bool inside = false;
+    moire::Point p = vertices_[piece.first_vertex + piece.vertices - 1];
+    for (std::size_t k = piece.first_vertex; k < piece.first_vertex + piece.vertices; ++k) {
+      const moire::Point q = vertices_[k];
+      if ((p.y <= y) != (q.y <= y) && p.x + (y - p.y) * ((q.x - p.x) / (q.y - p.y)) <= x) inside = !inside;
+      p = q;
+    }
+    return inside;
+  }
+
+  bool is_wanted(int x) const { return x >= block_.x0 && x < block_.x0 + block_.width; }
 
   void run(int begin, int end, std::uint32_t layer) {
     const int first = std::max(begin, block_.x0), last = std::min(end, block_.x0 + block_.width);
