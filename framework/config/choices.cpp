@@ -53,6 +53,14 @@ std::optional<std::string> read_label(const JsonNode& entry, const std::string& 
   return std::nullopt;
 }
 
+// A flag of a sampler's entry; false where there is none or after adding a problem.
+bool read_flag(const JsonNode& entry, const std::string& path, const Parameter& key, const Reading& reading) {
+  const JsonNode* node = entry.find(key.name);
+  if (node == nullptr) return false;
+  const auto cell = read_value(*node, member_path(path, key.name), key, "sampler", reading);
+  return cell && std::get<bool>(cell->value);
+}
+
 }  // namespace
 
 const JsonNode* entry_type(const JsonNode& entry, const std::string& path, std::string_view noun, Problems& problems) {
@@ -74,11 +82,7 @@ const JsonNode* entry_type(const JsonNode& entry, const std::string& path, std::
 }
 
 bool is_left_out(const JsonNode& entry, const std::string& path, const ChoiceContext& context) {
-  const Parameter& key = format::if_installed;
-  const JsonNode* node = entry.find(key.name);
-  if (node == nullptr) return false;
-  const auto cell = read_value(*node, member_path(path, key.name), key, "sampler", context.reading);
-  if (!cell || !std::get<bool>(cell->value)) return false;
+  if (!read_flag(entry, path, format::if_installed, context.reading)) return false;
   const JsonNode* type = entry.find("type");
   return type != nullptr && type->is(JsonKind::text) &&
          context.vocabulary.catalog->find(Kind::sampler, type->text) == nullptr;
@@ -90,12 +94,15 @@ std::vector<Choice> read_entry(const JsonNode& entry, const std::string& path, K
   if (plugin == nullptr) return {};
   const auto table = format::parameters_of(*plugin, context.lookups);
   std::vector<std::string_view> other_keys{"label", "type", "use"};
-  if (kind == Kind::sampler && takes_grids) other_keys.push_back(format::if_installed.name);
+  const bool is_contender = kind == Kind::sampler && takes_grids;
+  if (is_contender) other_keys.insert(other_keys.end(), {format::if_installed.name, format::if_it_fits.name});
   const auto label = read_label(entry, path, context.reading.problems);
   const auto combinations = read_settings(entry, path, {plugin->name, table, other_keys, takes_grids}, context.reading);
   if (!label) return {};
   std::vector<Choice> choices;
-  for (const Cells& cells : combinations) choices.push_back({entry.place, path, plugin, table, cells, *label, ""});
+  const bool if_it_fits = is_contender && read_flag(entry, path, format::if_it_fits, context.reading);
+  for (const Cells& cells : combinations)
+    choices.push_back({entry.place, path, plugin, table, cells, *label, "", if_it_fits});
   for (const Choice& choice : choices) refuse_unknown_lookup(choice, context);
   return choices;
 }
@@ -112,6 +119,7 @@ SamplerChoice sampler_of(const Choice& choice) {
 
 nlohmann::ordered_json written(const Choice& choice) {
   nlohmann::ordered_json object = {{"type", choice.plugin->name}, {"label", choice.name}};
+  if (choice.if_it_fits) object[std::string(format::if_it_fits.name)] = true;
   write_settings(choice.table, choice.cells, object);
   return object;
 }

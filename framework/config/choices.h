@@ -16,8 +16,9 @@ struct Choice {
   const Plugin* plugin = nullptr;
   std::vector<Parameter> table;  // of the plugin; a sampler's ends with its lookup
   Cells cells;
-  std::string label;  // empty: none
-  std::string name;   // given by name_choices
+  std::string label;        // empty: none
+  std::string name;         // given by name_choices
+  bool if_it_fits = false;  // of a sampler
 };
 
 // What entries are read with.

@@ -56,8 +56,14 @@ class ExperimentReader {
   void keep_only(const std::string& only) { moire::keep_only(only, scenes_, samplers_, problems_); }
 
   Experiment finish() {
-    for (const Choice& scene : scenes_) experiment_.scenes.push_back(scene_of(scene));
     for (const Choice& sampler : samplers_) experiment_.samplers.push_back(sampler_of(sampler));
+    for (const Choice& scene : scenes_) {
+      SceneChoice& choice = experiment_.scenes.emplace_back(scene_of(scene));
+      for (const Choice& sampler : samplers_) {
+        if (sampler.if_it_fits && !mismatch(choice, sampler_of(sampler), vocabulary_).empty())
+          choice.without.push_back(sampler.name);
+      }
+    }
     if (!reference_.empty()) experiment_.reference = sampler_of(reference_.front());
     for (const PassEntry& metric : metrics_) experiment_.metrics.push_back(metric.choice);
     for (const PassEntry& picture : pictures_) experiment_.pictures.push_back(picture.choice);
@@ -189,6 +195,7 @@ class ExperimentReader {
   }
 
   void refuse_mismatch(const SceneChoice& scene, const Choice& sampler) {
+    if (sampler.if_it_fits) return;
     const std::string problem = mismatch(scene, sampler_of(sampler), vocabulary_);
     if (!problem.empty()) problems_.add(sampler.place, sampler.path, problem);
   }

@@ -19,7 +19,8 @@ namespace moire {
 struct SceneChoice {
   std::string name;  // its label, or made by name_choices
   const Plugin* plugin = nullptr;
-  Settings settings;  // complete; files are paths that exist
+  Settings settings;                      // complete; files are paths that exist
+  std::vector<std::string> without = {};  // samplers that are left out here, since they do not fit
 };
 
 // A sampler with its settings and lookup: a contender.

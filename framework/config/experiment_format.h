@@ -25,6 +25,8 @@ inline constexpr Parameter keep_images =
     parameter::flag("keep_images", true, "images are kept and shown; false: only judged, for sweeps over many scenes");
 inline constexpr Parameter if_installed = parameter::flag(
     "if_installed", false, "true: where there is no plugin of this type, the entry is left out instead of refused");
+inline constexpr Parameter if_it_fits = parameter::flag(
+    "if_it_fits", false, "true: on scenes that do not answer what it asks, the sampler is left out instead of refused");
 inline constexpr Parameter frame_count =
     parameter::integer("count", 1, 1, 1'000'000, "frames", "frames of the animation; 1: a still image");
 inline constexpr Parameter still_frame =

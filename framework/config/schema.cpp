@@ -84,7 +84,8 @@ constexpr std::string_view use_meaning = "a JSON file whose object is filled in 
 Json plugin_schema(const Plugin& plugin, std::string_view lookups, bool takes_grids) {
   Json schema = typed_object(plugin.name, plugin.summary());
   if (plugin.sampler && takes_grids)
-    schema["properties"][if_installed_key] = parameter_schema(format::if_installed, false);
+    for (const Parameter& flag : {format::if_installed, format::if_it_fits})
+      schema["properties"][std::string(flag.name)] = parameter_schema(flag, false);
   schema["properties"]["label"] = {{"type", "string"}, {"minLength", 1}, {"description", label_meaning}};
   schema["properties"]["use"] = {{"type", "string"}, {"description", use_meaning}};
   add_parameters(format::parameters_of(plugin, lookups), takes_grids, schema);

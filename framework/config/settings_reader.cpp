@@ -89,8 +89,9 @@ class SettingsReader {
       meant.insert(meant.end(), owner_.other_keys.begin(), owner_.other_keys.end());
       // The type is there already, `use` has been followed, and whether it is installed is known.
       std::copy_if(
-          owner_.other_keys.begin(), owner_.other_keys.end(), std::back_inserter(known),
-          [](std::string_view key) { return key != "type" && key != "use" && key != format::if_installed.name; });
+          owner_.other_keys.begin(), owner_.other_keys.end(), std::back_inserter(known), [](std::string_view key) {
+            return key != "type" && key != "use" && key != format::if_installed.name && key != format::if_it_fits.name;
+          });
     }
     const std::string hint = did_you_mean(member.key, meant);
     const std::string takes = known.empty() ? "no parameters" : listed(known);

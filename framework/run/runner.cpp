@@ -51,11 +51,21 @@ bool has_frame_passes(const Experiment& experiment) {
                      [](const PassChoice& metric) { return registered_metric(metric.name).make_temporal != nullptr; });
 }
 
+// The contenders on a scene.
+std::vector<const SamplerChoice*> samplers_on(const SceneChoice& scene, const Experiment& experiment) {
+  std::vector<const SamplerChoice*> result;
+  for (const SamplerChoice& sampler : experiment.samplers) {
+    if (std::find(scene.without.begin(), scene.without.end(), sampler.name) == scene.without.end())
+      result.push_back(&sampler);
+  }
+  return result;
+}
+
 // The reference, the contenders, the passes over frames, and timing if it is asked for.
-std::size_t steps_a_scene(const Experiment& experiment) {
+std::size_t steps_on(const SceneChoice& scene, const Experiment& experiment) {
   std::size_t timings = 0;
   for (const PassChoice& metric : experiment.metrics) timings += registered_metric(metric.name).is_timing();
-  return 1 + experiment.samplers.size() + has_frame_passes(experiment) + timings;
+  return 1 + samplers_on(scene, experiment).size() + has_frame_passes(experiment) + timings;
 }
 
 // A scene, what it is judged against, and the jobs on it.
@@ -76,10 +86,11 @@ class SceneRun {
     step("reference", [&] { prepare(hashes); });
     if (!frame_) {
       results_.failures.back().message += "; no contender ran on this scene";
-      progress_.skip(steps_a_scene(experiment_) - 1);
+      progress_.skip(steps_on(choice_, experiment_) - 1);
       return sink_.save(results_);
     }
-    for (const SamplerChoice& sampler : experiment_.samplers) {
+    for (const SamplerChoice* contender : samplers_on(choice_, experiment_)) {
+      const SamplerChoice& sampler = *contender;
       step(sampler.name, [&] {
         judge(sampler);
         results_.jobs[choice_.name + "/" + sampler.name] = job_key(experiment_, choice_, sampler, references_, hashes);
@@ -233,7 +244,8 @@ class SceneRun {
   void watch_frames() {
     std::vector<Watched> all;
     all.push_back(watched(reference_name, nullptr));
-    for (const SamplerChoice& sampler : experiment_.samplers) {
+    for (const SamplerChoice* contender : samplers_on(choice_, experiment_)) {
+      const SamplerChoice& sampler = *contender;
       if (results_.jobs.contains(choice_.name + "/" + sampler.name))
         all.push_back(watched(sampler.name, std::make_unique<Contender>(sampler)));
     }
@@ -314,7 +326,8 @@ class SceneRun {
       timed.push_back({contenders.back().get(), &frame, once});
     };
     add(std::make_unique<Contender>(floor_name, make_empty_sampler()), *frame_, false);
-    for (const SamplerChoice& sampler : experiment_.samplers) {
+    for (const SamplerChoice* contender : samplers_on(choice_, experiment_)) {
+      const SamplerChoice& sampler = *contender;
       if (results_.jobs.contains(choice_.name + "/" + sampler.name))
         add(std::make_unique<Contender>(sampler), *frame_, false);
     }
@@ -373,7 +386,9 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
   }
 
   Shared shared(store);
-  Progress progress(experiment.scenes.size() * steps_a_scene(experiment));
+  std::size_t steps = 0;
+  for (const SceneChoice& scene : experiment.scenes) steps += steps_on(scene, experiment);
+  Progress progress(steps);
   try {
     for (std::size_t k = 0; k < experiment.scenes.size(); ++k) {
       const SceneChoice& scene = experiment.scenes[k];

@@ -27,11 +27,8 @@ constexpr moire::Parameter parameters[] = {
     color("background", "#ffffff", "colour where nothing is drawn, unless the drawing names its own").per_frame(),
     real("tolerance", 0.05, 1e-4, 100, "pixels",
          "how far from its curve a chord may be: curve P over h takes chords no longer than sqrt(8 tolerance / |P''|)"),
-    real("view.x", 0, -1e6, 1e6, "widths",
-         "how far right of the view box's middle the image's is, in widths of the box")
-        .per_frame(),
-    real("view.y", 0, -1e6, 1e6, "heights", "how far below the view box's middle the image's is, in heights of the box")
-        .per_frame(),
+    real("view.x", 0, -1e9, 1e9, "units", "how far right of the view box's middle the image's middle is").per_frame(),
+    real("view.y", 0, -1e9, 1e9, "units", "how far below the view box's middle the image's middle is").per_frame(),
     real("view.zoom", 1, 1e-6, 1e6, "", "1: the view box just fits into the image").per_frame(),
     real("view.rotation_deg", 0, -1e6, 1e6, "degrees", "turns the drawing clockwise about the image's middle")
         .per_frame(),

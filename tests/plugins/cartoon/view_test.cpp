@@ -31,15 +31,15 @@ TEST_CASE("the view box is fitted into the image with its proportions, in the mi
 TEST_CASE("views move, enlarge and turn about the middle of the image") {
   const cartoon::Box box{0, 0, 40, 20};
   const ImageSize size{80, 40};
-  CHECK(placed(box, size, {30, 10}, {{"view.x", 0.25}}) == "40 20");
-  CHECK(placed(box, size, {20, 15}, {{"view.y", 0.25}}) == "40 20");
+  CHECK(placed(box, size, {30, 10}, {{"view.x", 10.0}}) == "40 20");
+  CHECK(placed(box, size, {20, 15}, {{"view.y", 5.0}}) == "40 20");
   CHECK(placed(box, size, {21, 10}, {{"view.zoom", 3.0}}) == "46 20");
-  CHECK(placed(box, size, {30, 10}, {{"view.x", 0.25}, {"view.zoom", 8.0}}) == "40 20");
+  CHECK(placed(box, size, {30, 10}, {{"view.x", 10.0}, {"view.zoom", 8.0}}) == "40 20");
   // Clockwise: what was right of the middle is below it.
   CHECK(placed(box, size, {25, 10}, {{"view.rotation_deg", 90.0}}) == "40 30");
   CHECK(placed(box, size, {25, 10}, {{"view.rotation_deg", -90.0}}) == "40 10");
   CHECK(placed(box, size, {25, 10}, {{"view.rotation_deg", 60.0}}) == fmt::format("45 {:.12g}", 20 + std::sqrt(75)));
-  CHECK(placed(box, size, {31, 10}, {{"view.x", 0.25}, {"view.rotation_deg", 90.0}, {"view.zoom", 2.0}}) == "40 24");
+  CHECK(placed(box, size, {31, 10}, {{"view.x", 10.0}, {"view.rotation_deg", 90.0}, {"view.zoom", 2.0}}) == "40 24");
 }
 
 }  // namespace moire::test

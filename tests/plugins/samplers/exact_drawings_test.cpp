@@ -126,10 +126,10 @@ TEST_CASE("a prepared picture has the same bits with a previous rendering as wit
   std::vector<const char*> names{""};
   if (std::getenv("MOIRE_DATA")) names.insert(names.end(), {"cats", "fish", "tractor"});
   const std::vector<Changes> views{{},
-                                   {{"view.x", 0.013}},
-                                   {{"view.x", 0.3}, {"view.y", -0.2}},
+                                   {{"view.x", 4.13}},
+                                   {{"view.x", 97.3}, {"view.y", -61.2}},
                                    {{"view.zoom", 1.01}},
-                                   {{"view.zoom", 3.7}, {"view.x", 0.1}},
+                                   {{"view.zoom", 3.7}, {"view.x", 31.1}},
                                    {{"view.rotation_deg", 30.0}},
                                    {}};
   constexpr ImageSize size{160, 120};
