@@ -10,6 +10,7 @@
 #include "app/tiny_experiment.h"
 #include "framework/sdk/png_bytes.h"
 #include "report/json.h"
+#include "support/plugins.h"
 
 namespace moire::test {
 
@@ -19,6 +20,13 @@ namespace {
 std::string scene(std::string_view label, std::string_view extension = "png") {
   return fmt::format(R"({{"type": "heightfield", "label": "{0}", "height": "../{0}.{1}", "color": "../color.png"}})",
                      label, extension);
+}
+
+// All samplers that are there: how many depends on what is installed.
+std::string known_samplers() {
+  std::vector<std::string> names;
+  for (const Plugin* plugin : catalog().all(Kind::sampler)) names.push_back(plugin->name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string list(const std::vector<std::string>& scenes) { return fmt::format("[{}]", fmt::join(scenes, ", ")); }
@@ -155,10 +163,11 @@ TEST_CASE("mistakes in the experiment are reported at once, and nothing is writt
         "tiny/experiment.json:4: scenes[0].size: is \"64\"; \"heightfield\" takes a whole number, 1 to 8192 voxels\n"
         "tiny/experiment.json:4: scenes[0].far: is -1; \"heightfield\" takes 0 to 1000000000 units\n"
         "tiny/experiment.json:5: scenes[0].far: repeated key (first on line 4); keep one of them\n"
-        "tiny/experiment.json:6: samplers[0].type: there is no sampler \"pont\"; did you mean \"point\"? known are "
-        "area, bilinear, point, supersample\n"
-        "tiny/experiment.json:7: metrics[1].agianst: unknown key; did you mean \"against\"? \"coverage\" takes "
-        "against\n");
+        "tiny/experiment.json:6: samplers[0].type: there is no sampler \"pont\"; did you mean \"point\"? known are " +
+            known_samplers() +
+            "\n"
+            "tiny/experiment.json:7: metrics[1].agianst: unknown key; did you mean \"against\"? \"coverage\" takes "
+            "against\n");
 }
 
 TEST_CASE("a sampler that a scene cannot serve is refused with the scenes that would do") {

@@ -160,7 +160,7 @@ TEST_CASE("a picture that cannot be drawn costs no other picture and no number")
   // The window sees the terrain to its end, far beyond what a footprint in plan may span.
   const TinyDesk desk(moving_experiment());
   const Ended ended =
-      desk.moire({"run", "tiny", "-o", "out", "--set", "scenes[0].far=9000", "--set", "scenes[0].view.height=300",
+      desk.moire({"run", "tiny", "-o", "out", "--set", "scenes[0].far=12000", "--set", "scenes[0].view.height=300",
                   "--set", "pictures[0].window.y=0", "--set", "pictures[0].window.height=8"});
   CHECK(ended.code == 1);
   const Results results = report::read_json(desk.path() / "out");
@@ -240,8 +240,8 @@ TEST_CASE("a cache that cannot be used costs nothing but time") {
 }
 
 TEST_CASE("a sampler that may be missing is left out with a note, and the run is whole") {
-  const TinyDesk desk(tiny_experiment(R"(["point", {"type": "cairo", "if_installed": true, "fast": true}])"));
-  const std::string note = "samplers[1]: \"cairo\" is left out: no such sampler is installed\n";
+  const TinyDesk desk(tiny_experiment(R"(["point", {"type": "skia", "if_installed": true, "fast": true}])"));
+  const std::string note = "samplers[1]: \"skia\" is left out: no such sampler is installed\n";
   const Ended run = desk.moire({"run", "tiny", "-o", "out"}), check = desk.moire({"check", "tiny"});
   CHECK(run.code == 0);
   CHECK(run.err.starts_with(note));

@@ -61,6 +61,9 @@ struct SamplerPlugin {
   std::string_view lookup = "nearest";  // the lookup used unless the experiment names one
   // Whether renderings save time by RenderRequest::previous.
   bool (*continues)(const Settings&) = [](const Settings&) { return false; };
+  // Part of an installation only where what it needs is there: schemas leave it out, experiments name it
+  // "if_installed".
+  bool is_optional = false;
   // One of the two.
   std::unique_ptr<PointSampler> (*make_points)(const Settings&) = nullptr;
   std::unique_ptr<Sampler> (*make)(const Settings&) = nullptr;
