@@ -109,6 +109,7 @@ Json plugin_entry_schema(Kind kind, const Vocabulary& vocabulary, bool takes_gri
   const std::string lookups = format::lookup_choices(vocabulary);
   Json names = Json::array(), objects = Json::array();
   for (const Plugin* plugin : vocabulary.catalog->all(kind)) {
+    if (plugin->sampler && plugin->sampler->is_optional) continue;
     names.push_back(plugin->name);
     objects.push_back(plugin_schema(*plugin, lookups, takes_grids));
   }

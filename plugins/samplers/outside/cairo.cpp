@@ -10,6 +10,7 @@ MOIRE_SAMPLER(
         .summary = "Cairo's own picture, for comparison: layer over layer, 8 bits, numbers blended as stored.",
         .source = "cairographics.org",
         .asks = [](const moire::Settings&) { return moire::Questions::polygons; },
+        .is_optional = true,
         .make = [](const moire::Settings&) -> std::unique_ptr<moire::Sampler> {
           return std::make_unique<outside::Painter>(outside::cairo_canvas);
         },
