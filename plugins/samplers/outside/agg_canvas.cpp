@@ -31,7 +31,7 @@ class Agg final : public Canvas {
     rasterizer_.clip_box(0, 0, painting.size.width, painting.size.height);
   }
 
-  std::string name() const override { return "AGG scanline_u8"; }
+  std::string name() const override { return "AGG"; }
   void draw() override {
     base_.clear(background_);
     for (Path& path : paths_) {

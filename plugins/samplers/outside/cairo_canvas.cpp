@@ -24,7 +24,7 @@ class Cairo final : public Canvas {
     }
   }
 
-  std::string name() const override { return std::string("Cairo ") + cairo_version_string(); }
+  std::string name() const override { return "Cairo"; }
   void draw() override {
     cairo_set_source_rgb(context_.get(), background_.r, background_.g, background_.b);
     cairo_paint(context_.get());
