@@ -7,6 +7,7 @@
 
 #include "sampling/lookups.h"
 #include "sampling/pattern_sampler.h"
+#include "sanitized.h"
 #include "support/plugins.h"
 
 namespace moire::test {
@@ -83,6 +84,7 @@ TEST_CASE("every sampler gives the same bits on one thread and on two, in blocks
     CHECK(first_difference(image, rendered(sampler, frame, lookup)) == "");
     for (const int threads : {1, 2}) {
       for (const int block_width : {1, 7, 32, size.width}) {
+        if (sanitized && (threads == 1 || block_width != 7)) continue;
         for (const bool recording : {true, false}) {
           CAPTURE(threads, block_width, recording);
           const Manner manner{threads, block_width, recording};
