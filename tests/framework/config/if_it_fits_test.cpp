@@ -12,8 +12,8 @@ constexpr const char* two_scenes = R"("scenes": [{"type": "heightfield"}, {"type
 
 TEST_CASE("a sampler that need not fit is left out on the scenes that it does not fit, and its request says so") {
   const ExperimentFolder folder;
-  const Experiment experiment = folder.read(
-      experiment_with({two_scenes, R"("samplers": ["point", {"type": "bilinear", "if_it_fits": true}])"}));
+  const Experiment experiment =
+      folder.read(experiment_with({two_scenes, R"("samplers": ["point", {"type": "bilinear", "if_it_fits": true}])"}));
   REQUIRE(experiment.samplers.size() == 2);
   REQUIRE(experiment.scenes.size() == 2);
   CHECK(experiment.scenes[0].without.empty());
@@ -24,8 +24,8 @@ TEST_CASE("a sampler that need not fit is left out on the scenes that it does no
 TEST_CASE("a sampler that is not marked must fit all scenes") {
   const ExperimentFolder folder;
   for (const char* mark : {"", R"(, "if_it_fits": false)"}) {
-    const std::string problems = folder.problems_with(
-        {two_scenes, std::string(R"("samplers": ["point", {"type": "bilinear")") + mark + "}]"});
+    const std::string problems =
+        folder.problems_with({two_scenes, std::string(R"("samplers": ["point", {"type": "bilinear")") + mark + "}]"});
     CHECK(problems.find("asks for places on a texture") != std::string::npos);
   }
   CHECK(folder.problems_with({R"("samplers": [{"type": "point", "if_it_fits": 1}])"})
