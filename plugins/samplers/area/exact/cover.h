@@ -1,8 +1,10 @@
 // Which layers cover a place, and the foremost of them.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace area {
@@ -21,29 +23,35 @@ class Cover {
   }
 
   void insert(std::uint32_t layer) {
+    front_ = std::min(front_, layer);
     for (auto& words : levels_) {
       words[layer / 64] |= std::uint64_t{1} << (layer % 64);
       layer /= 64;
     }
   }
   void erase(std::uint32_t layer) {
+    std::uint32_t place = layer;
     for (auto& words : levels_) {
-      std::uint64_t& word = words[layer / 64];
-      word &= ~(std::uint64_t{1} << (layer % 64));
-      if (word != 0) return;
-      layer /= 64;
+      std::uint64_t& word = words[place / 64];
+      word &= ~(std::uint64_t{1} << (place % 64));
+      if (word != 0) break;
+      place /= 64;
     }
+    if (layer == front_) front_ = find_front();
   }
 
-  std::uint32_t front() const {
+  std::uint32_t front() const { return front_; }
+
+ private:
+  std::uint32_t find_front() const {
     std::uint32_t layer = 0;
     for (auto words = levels_.rbegin(); words != levels_.rend(); ++words)
       layer = layer * 64 + static_cast<std::uint32_t>(std::countr_zero((*words)[layer]));
     return layer;
   }
 
- private:
   std::vector<std::vector<std::uint64_t>> levels_;  // the layers themselves first
+  std::uint32_t front_ = std::numeric_limits<std::uint32_t>::max();
 };
 
 }  // namespace area

@@ -1,6 +1,7 @@
 #include "exact/prepared.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/replayed_rows.h"
 
@@ -31,6 +32,7 @@ Prepared::Prepared(const moire::RenderRequest& request) : size_(request.frame.si
 
 // Boundaries to the image, in their order, without what lies above, below or to the right of it.
 void Prepared::place(const moire::Affine& placement) {
+  boundaries_.reserve(overlay_->boundaries().size());
   const bool mirrored_x = placement.xx < 0, mirrored_y = placement.yy < 0;
   for (const Overlay::Boundary& b : overlay_->boundaries()) {
     Overlay::Boundary placed{placement(b.upper), placement(b.lower), b.left, b.right};
@@ -46,8 +48,12 @@ void Prepared::place(const moire::Affine& placement) {
 }
 
 void Prepared::render(moire::PixelBlock& block) const {
+  // Kept from block to block: to make them anew takes as long as to fill them.
+  thread_local std::vector<PixelCell> spare;
+  std::vector<PixelCell> cells = std::exchange(spare, {});
+  cells.resize(RowBuckets::rows_each * cells_of(size_.width));
   block.fill([&](auto add) {
-    ReplayedRows rows(overlay_->layers(), size_.width, block, add);
+    ReplayedRows rows(overlay_->layers(), size_.width, block, add, cells);
     RowBuckets::for_each(block.y0, block.y0 + block.height, [&](int bucket, int first, int end) {
       rows.begin(first, end);
       for (const std::uint32_t k : buckets_[bucket]) {
@@ -56,6 +62,7 @@ void Prepared::render(moire::PixelBlock& block) const {
       rows.deposit();
     });
   });
+  spare = std::move(cells);
   block.counters.queries += static_cast<std::uint64_t>(block.width) * static_cast<std::uint64_t>(block.height);
 }
 

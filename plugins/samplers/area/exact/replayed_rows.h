@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exact/overlay.h"
@@ -15,8 +16,14 @@ namespace area {
 template <bool recorded>
 class ReplayedRows {
  public:
-  ReplayedRows(const Layers& layers, int width, moire::PixelBlock& block, moire::Tally::Adder<recorded> add)
-      : layers_(layers), width_(width), rows_(RowBuckets::rows_each, Row(layers, width, block, add)) {}
+  // `cells`: empty, cells_of(width) for each row of a bucket; left empty again.
+  ReplayedRows(const Layers& layers, int width, moire::PixelBlock& block, moire::Tally::Adder<recorded> add,
+               std::span<PixelCell> cells)
+      : layers_(layers), width_(width) {
+    rows_.reserve(RowBuckets::rows_each);
+    for (std::size_t k = 0; k < RowBuckets::rows_each; ++k)
+      rows_.emplace_back(layers, width, block, add, cells.subspan(k * cells_of(width), cells_of(width)));
+  }
 
   // The rows [first, end), no more than a bucket has.
   void begin(int first, int end) {
@@ -66,8 +73,9 @@ class ReplayedRows {
 
  private:
   struct Row {
-    Row(const Layers& layers, int width, moire::PixelBlock& block, moire::Tally::Adder<recorded> add)
-        : pixels(layers, width, block, add), crossed(static_cast<std::size_t>(width) / 64 + 1) {}
+    Row(const Layers& layers, int width, moire::PixelBlock& block, moire::Tally::Adder<recorded> add,
+        std::span<PixelCell> cells)
+        : pixels(layers, width, block, add, cells), crossed(static_cast<std::size_t>(width) / 64 + 1) {}
 
     void mark(int left, int right) {
       for (int pixel = left; pixel <= right; ++pixel)

@@ -20,10 +20,14 @@ class RowBuckets {
   template <class Top, class Bottom>
   RowBuckets(std::size_t count, int rows, Top top, Bottom bottom) : buckets_((rows + rows_each - 1) / rows_each) {
     begins_.assign(static_cast<std::size_t>(buckets_) + 1, 0);
+    struct Reach {
+      int first, last;
+    };
+    std::vector<Reach> reaches(count);
+    for (std::uint32_t k = 0; k < count; ++k) reaches[k] = {bucket_of(top(k)), bucket_of(bottom(k))};
     const auto for_each_entry = [&](auto visit) {
       for (std::uint32_t k = 0; k < count; ++k) {
-        const int last = bucket_of(bottom(k));
-        for (int b = bucket_of(top(k)); b <= last; ++b) visit(static_cast<std::size_t>(b), k);
+        for (int b = reaches[k].first; b <= reaches[k].last; ++b) visit(static_cast<std::size_t>(b), k);
       }
     };
     // Sorted by counting: in the end begins_[b] is where bucket b begins.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,18 @@ struct Change {
   double red, green, blue;
   std::uint32_t left, right;
 };
+
+// What boundaries do to a pixel and, from it on, to all that follow.
+struct PixelCell {
+  double r = 0, g = 0, b = 0;
+  void add(double weight, const Change& change) {
+    r += weight * change.red;
+    g += weight * change.green;
+    b += weight * change.blue;
+  }
+};
+// How many a row of pixels needs.
+inline std::size_t cells_of(int width) { return static_cast<std::size_t>(width) + 2; }
 
 // `Add` is a Tally::Adder<recorded>: fragments are kept if it does so.
 template <bool recorded>
@@ -53,13 +66,14 @@ class RowPixels {
     std::vector<Share> shares;  // of layers that are there; only if recorded
   };
 
-  RowPixels(const Layers& layers, int width, moire::PixelBlock& block, Add add)
+  // `cells`: empty, cells_of(width) of them; left empty again.
+  RowPixels(const Layers& layers, int width, moire::PixelBlock& block, Add add, std::span<PixelCell> cells)
       : layers_(layers),
         width_(width),
         block_(block),
         add_(add),
         nothing_(0x1p-46 * std::max(1.0, width / 256.0)),
-        cells_(static_cast<std::size_t>(width) + 2) {
+        cells_(cells) {
     if constexpr (recorded) passages_.resize(cells_.size());
   }
 
@@ -124,14 +138,6 @@ class RowPixels {
   }
 
  private:
-  struct Cell {
-    double r = 0, g = 0, b = 0;
-    void add(double weight, const Change& change) {
-      r += weight * change.red;
-      g += weight * change.green;
-      b += weight * change.blue;
-    }
-  };
   // How much passes to a layer.
   struct Passage {
     std::uint32_t layer;
@@ -140,7 +146,7 @@ class RowPixels {
 
   // A boundary of this height in a pixel, `beyond` of whose width lies to its right.
   void deposit(int pixel, double height, double beyond, const Change& change) {
-    Cell* cell = &cells_[static_cast<std::size_t>(pixel)];
+    PixelCell* cell = &cells_[static_cast<std::size_t>(pixel)];
     const double here = height * beyond, next = height - here;
     cell[0].add(here, change);
     cell[1].add(next, change);
@@ -153,7 +159,7 @@ class RowPixels {
 
   // Adds to `content` what boundaries have changed up to this pixel.
   void pass(int pixel, Content& content) {
-    Cell& cell = cells_[static_cast<std::size_t>(pixel)];
+    PixelCell& cell = cells_[static_cast<std::size_t>(pixel)];
     content.sum.r += cell.r;
     content.sum.g += cell.g;
     content.sum.b += cell.b;
@@ -197,7 +203,7 @@ class RowPixels {
   // Less is what rounding leaves of a layer that is gone: some boundaries, each known to half a digit of the largest x.
   double nothing_;
   std::size_t slot_ = 0;
-  std::vector<Cell> cells_;
+  std::span<PixelCell> cells_;
   std::vector<std::vector<Passage>> passages_;  // in each pixel, from it on; only if recorded
 };
 

@@ -46,6 +46,8 @@ class Rows {
  private:
   void sweep(std::span<const std::uint32_t> bucket, int first, int end) {
     active_.clear();
+    free_.clear();
+    order_.clear();
     std::size_t next = 0;
     for (int y = first; y < end; ++y) {
       for (; next < bucket.size() && chains_.points()[chains_[bucket[next]].first].y < y + 1; ++next)
@@ -66,6 +68,12 @@ class Rows {
     bool has_level;                // in the row
   };
 
+  // Where a strand stands among the others: by its left end.
+  struct Place {
+    double left;
+    std::uint32_t last, active;  // the end of its chain, which tells equal ends apart; its place in active_
+  };
+
   void enter(const Chain& chain, int y) {
     const moire::Point* p = chains_.points();
     const moire::Point* after = std::upper_bound(p + chain.first, p + chain.last + 1, static_cast<double>(y),
@@ -73,33 +81,58 @@ class Rows {
     if (after == p + chain.last + 1) return;
     const auto point = std::max(chain.first + 1, static_cast<std::uint32_t>(after - p)) - 1;
     const double x = p[point].y < y ? x_at(p[point], p[point + 1], y) : p[point].x;
-    active_.push_back({0, 0, x, point, chain.last, chain.layer, chain.direction, 0, 0, false});
+    const Active active{0, 0, x, point, chain.last, chain.layer, chain.direction, 0, 0, false};
+    if (free_.empty()) {
+      order_.push_back({0, chain.last, static_cast<std::uint32_t>(active_.size())});
+      active_.push_back(active);
+    } else {
+      order_.push_back({0, chain.last, free_.back()});
+      active_[free_.back()] = active;
+      free_.pop_back();
+    }
+  }
+
+  // Appends to path_, which keeps its size from row to row.
+  void extend(const PathPoint& point) {
+    if (used_ == path_.size()) path_.resize(2 * path_.size() + 64);
+    path_[used_++] = point;
   }
 
   // Finds the strand of a chain in row y.
   void trace(Active& a, int y) {
     const moire::Point* p = chains_.points();
     const double top = y, bottom = y + 1;
-    a.path = static_cast<std::uint32_t>(path_.size());
+    a.path = used_;
+    a.has_level = false;
+    // Most go through without a bend.
+    if (p[a.point].y <= top && p[a.point + 1].y > bottom) {
+      const double x = x_at(p[a.point], p[a.point + 1], bottom);
+      extend({a.x, 0, a.point});
+      extend({x, 1, a.point});
+      a.segments = 1;
+      a.left = std::min(a.x, x);
+      a.right = std::max(a.x, x);
+      a.x = x;
+      return;
+    }
     const double start = p[a.point].y > top ? p[a.point].y - top : 0;
-    path_.push_back({a.x, start, a.point});
+    extend({a.x, start, a.point});
     a.left = a.right = a.x;
     const auto widen = [&](double x) {
       a.left = std::min(a.left, x);
       a.right = std::max(a.right, x);
     };
-    a.has_level = false;
     std::uint32_t next = a.point + 1;
     for (; next <= a.last && p[next].y < bottom; ++next) {
       a.has_level = a.has_level || p[next].y == p[next - 1].y;
-      path_.push_back({p[next].x, p[next].y - top, next});
+      extend({p[next].x, p[next].y - top, next});
       widen(p[next].x);
     }
     if (next > a.last) {
       a.point = ended;
     } else {
       a.x = x_at(p[next - 1], p[next], bottom);
-      path_.push_back({a.x, 1, next - 1});
+      extend({a.x, 1, next - 1});
       widen(a.x);
       a.point = next - 1;
       while (a.point < a.last && p[a.point + 1].y <= bottom) ++a.point;
@@ -109,59 +142,69 @@ class Rows {
         a.x = p[a.point].x;
       }
     }
-    a.segments = static_cast<std::uint32_t>(path_.size()) - a.path - 1;
+    a.segments = used_ - a.path - 1;
   }
 
   void row(int y) {
-    path_.clear();
-    for (Active& a : active_) trace(a, y);
+    used_ = 0;
+    for (Place& place : order_) {
+      trace(active_[place.active], y);
+      place.left = active_[place.active].left;
+    }
     sort();
 
     sink_.begin_row(y);
     std::size_t k = 0;
-    while (k < active_.size() && active_[k].left < right_) {
-      double right = active_[k].right;
+    while (k < order_.size() && order_[k].left < right_) {
+      double right = at(k).right;
       std::size_t end = k + 1;
-      for (; end < active_.size() && active_[end].left <= right; ++end) right = std::max(right, active_[end].right);
+      for (; end < order_.size() && order_[end].left <= right; ++end) right = std::max(right, at(end).right);
       if (right <= 0) {
-        for (std::size_t i = k; i < end; ++i) turn(active_[i]);
+        for (std::size_t i = k; i < end; ++i) turn(at(i));
       } else if (end == k + 1) {
-        alone(active_[k]);
+        alone(at(k));
       } else {
         together(k, end, right);
       }
       k = end;
     }
     sink_.end_row(cover_.front());
-    for (; k < active_.size(); ++k) turn(active_[k]);
-    std::erase_if(active_, [](const Active& a) { return a.point == ended; });
+    for (; k < order_.size(); ++k) turn(at(k));
+    std::erase_if(order_, [&](const Place& place) {
+      if (active_[place.active].point != ended) return false;
+      free_.push_back(place.active);
+      return true;
+    });
   }
+
+  const Active& at(std::size_t k) const { return active_[order_[k].active]; }
 
   // From row to row the order hardly changes, unless many chains begin. Equal ends are told apart, so that it does not
   // depend on the rows above.
   void sort() {
-    const auto is_before = [](const Active& a, const Active& b) {
+    const auto is_before = [](const Place& a, const Place& b) {
       return a.left < b.left || (a.left == b.left && a.last < b.last);
     };
     std::size_t moves = 0;
-    for (std::size_t k = 1; k < active_.size(); ++k) {
-      if (!is_before(active_[k], active_[k - 1])) continue;
-      if (moves > 8 * active_.size()) {
-        std::sort(active_.begin(), active_.end(), is_before);
+    for (std::size_t k = 1; k < order_.size(); ++k) {
+      if (!is_before(order_[k], order_[k - 1])) continue;
+      if (moves > 8 * order_.size()) {
+        std::sort(order_.begin(), order_.end(), is_before);
         return;
       }
-      const Active moved = active_[k];
+      const Place moved = order_[k];
       std::size_t place = k;
-      for (; place > 0 && is_before(moved, active_[place - 1]); --place, ++moves) active_[place] = active_[place - 1];
-      active_[place] = moved;
+      for (; place > 0 && is_before(moved, order_[place - 1]); --place, ++moves) order_[place] = order_[place - 1];
+      order_[place] = moved;
     }
   }
 
   // The winding number behind a strand changes if it reaches the row's bottom; others end in level stretches that lead
   // back to where they began.
   void turn(const Active& a) {
-    if (path_[a.path + a.segments].y == 1) wind(a.layer, a.direction);
+    if (reaches_bottom(a)) wind(a.layer, a.direction);
   }
+  bool reaches_bottom(const Active& a) const { return path_[a.path + a.segments].y == 1; }
   void wind(std::uint32_t layer, int by) {
     const bool was = layers_[layer].is_inside(winding_[layer]);
     winding_[layer] += by;
@@ -191,7 +234,7 @@ class Rows {
     const std::uint32_t before = cover_.front();
     strands_.clear();
     for (std::size_t k = begin; k < end; ++k) {
-      const Active& a = active_[k];
+      const Active& a = at(k);
       strands_.push_back({&path_[a.path], a.segments, a.layer, a.direction, a.left, a.right, a.has_level});
     }
     // What covers all of the cluster is found without the layers that have strands in it.
@@ -202,13 +245,13 @@ class Rows {
     const bool visible =
         std::any_of(strands_.begin(), strands_.end(), [&](const Strand& s) { return s.layer < floor; });
     if (visible) {
-      sink_.open(active_[begin].left, before);
+      sink_.open(order_[begin].left, before);
       cluster_.begin(strands_, floor, [&](std::uint32_t layer) { return winding_[layer]; });
       cluster_.resolve(sink_);
       sink_.close(right);
     }
     for (std::size_t k = begin; k < end; ++k) {
-      if (path_[active_[k].path + active_[k].segments].y == 1) winding_[active_[k].layer] += active_[k].direction;
+      if (reaches_bottom(at(k))) winding_[at(k).layer] += at(k).direction;
     }
     for (const Strand& s : strands_) {
       if (layers_[s.layer].is_inside(winding_[s.layer])) cover_.insert(s.layer);
@@ -223,7 +266,10 @@ class Rows {
   Cover cover_;
   Cluster cluster_;
   std::vector<Active> active_;
-  std::vector<PathPoint> path_;
+  std::vector<std::uint32_t> free_;  // places in active_
+  std::vector<Place> order_;
+  std::vector<PathPoint> path_;  // of all strands of the row
+  std::uint32_t used_ = 0;
   std::vector<Strand> strands_;
 };
 

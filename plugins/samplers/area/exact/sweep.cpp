@@ -12,7 +12,8 @@ Sweep::Sweep(const moire::RenderRequest& request)
 
 void Sweep::render(moire::PixelBlock& block) const {
   block.fill([&](auto add) {
-    RowPixels pixels(layers_, size_.width, block, add);
+    std::vector<PixelCell> cells(cells_of(size_.width));
+    RowPixels pixels(layers_, size_.width, block, add, cells);
     SweptRow row(pixels);
     Rows rows(layers_, chains_, size_.width, row);
     rows.sweep(block.y0, block.y0 + block.height);
