@@ -57,66 +57,81 @@ class Decomposition {
     MonotonePolygon polygon;
     const Edge *left, *right;  // the last on its sides
   };
+  // An edge where a band begins and ends.
+  struct Side {
+    const Edge* edge;
+    double above, below;
+  };
 
   // Bands between y0 and y1, where only crossings divide.
   void bands(double y0, double y1) {
-    while (y0 < y1) {
-      std::sort(active_.begin(), active_.end(), [&](const Edge* a, const Edge* b) {
-        const double xa = a->x(y0), xb = b->x(y0);
-        return xa < xb || (xa == xb && a->x(y1) < b->x(y1));
-      });
-      double end = y1;
-      for (std::size_t k = 1; k < active_.size();) {
-        const Edge &p = *active_[k - 1], &q = *active_[k];
-        const double above = q.x(y0) - p.x(y0), below = q.x(y1) - p.x(y1);
-        const double y = below < 0 ? y0 + above / (above - below) * (y1 - y0) : y1;
-        if (y <= y0) {
-          // They cross at y0 but for rounding, so that they are already the other way round.
-          std::swap(active_[k - 1], active_[k]);
-          k = std::max<std::size_t>(k, 2) - 1;
-        } else {
-          end = std::min(end, y);
-          ++k;
-        }
-      }
+    sides_.clear();
+    for (const Edge* e : active_) sides_.push_back({e, e->x(y0), e->x(y1)});
+    while (true) {
+      const double end = first_crossing(y0, y1);
+      if (end == y1) return band(y0, y1);
+      for (Side& side : sides_) side.below = side.edge->x(end);
       band(y0, end);
       y0 = end;
+      for (Side& side : sides_) side = {side.edge, side.below, side.edge->x(y1)};
     }
+  }
+
+  // Where neighbours first cross between y0 and y1; y1: nowhere.
+  double first_crossing(double y0, double y1) {
+    std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+      return a.above < b.above || (a.above == b.above && a.below < b.below);
+    });
+    double end = y1;
+    for (std::size_t k = 1; k < sides_.size();) {
+      const Side &p = sides_[k - 1], &q = sides_[k];
+      const double above = q.above - p.above, below = q.below - p.below;
+      const double y = below < 0 ? y0 + above / (above - below) * (y1 - y0) : y1;
+      if (y <= y0) {
+        // They cross at y0 but for rounding, so that they are already the other way round.
+        std::swap(sides_[k - 1], sides_[k]);
+        k = std::max<std::size_t>(k, 2) - 1;
+      } else {
+        end = std::min(end, y);
+        ++k;
+      }
+    }
+    return end;
   }
 
   // The spans of a band, each going on with a polygon that ended as wide as it begins, or beginning one.
   void band(double y0, double y1) {
-    std::sort(active_.begin(), active_.end(),
-              [&](const Edge* a, const Edge* b) { return a->x(y0) + a->x(y1) < b->x(y0) + b->x(y1); });
-    std::vector<Open> spans;
+    std::sort(sides_.begin(), sides_.end(),
+              [](const Side& a, const Side& b) { return a.above + a.below < b.above + b.below; });
+    std::vector<Open> spans = std::move(spare_);
     int winding = 0;
-    const Edge* left = nullptr;
-    for (const Edge* e : active_) {
+    const Side* left = nullptr;
+    for (const Side& side : sides_) {
       const bool was = rule_.is_inside(winding);
-      winding += e->direction;
+      winding += side.edge->direction;
       const bool is = rule_.is_inside(winding);
-      if (is && !was) left = e;
-      if (was && !is) spans.push_back(span(left, e, y0, y1));
+      if (is && !was) left = &side;
+      if (was && !is) spans.push_back(span(*left, side, y0, y1));
     }
     close_all();
-    open_ = std::move(spans);
+    spare_ = std::exchange(open_, std::move(spans));
   }
 
-  Open span(const Edge* left, const Edge* right, double y0, double y1) {
-    const moire::Point l{left->x(y0), y0}, r{right->x(y0), y0};
+  Open span(const Side& left, const Side& right, double y0, double y1) {
+    const moire::Point l{left.above, y0}, r{right.above, y0};
     const auto upper = std::find_if(open_.begin(), open_.end(), [&](const Open& o) {
       return !o.polygon.left.empty() && o.polygon.left.back() == l && o.polygon.right.back() == r;
     });
-    if (upper == open_.end()) return {{layer_, {l, {left->x(y1), y1}}, {r, {right->x(y1), y1}}}, left, right};
+    if (upper == open_.end()) return {{layer_, {l, {left.below, y1}}, {r, {right.below, y1}}}, left.edge, right.edge};
     Open result = std::move(*upper);
     upper->polygon.left.clear();
     // Nothing bends where an edge goes on.
-    if (result.left == left) result.polygon.left.pop_back();
-    if (result.right == right) result.polygon.right.pop_back();
-    result.polygon.left.push_back({left->x(y1), y1});
-    result.polygon.right.push_back({right->x(y1), y1});
-    result.left = left;
-    result.right = right;
+    if (result.left == left.edge) result.polygon.left.pop_back();
+    if (result.right == right.edge) result.polygon.right.pop_back();
+    result.polygon.left.push_back({left.below, y1});
+    result.polygon.right.push_back({right.below, y1});
+    result.left = left.edge;
+    result.right = right.edge;
     return result;
   }
 
@@ -133,7 +148,8 @@ class Decomposition {
   std::vector<MonotonePolygon>& out_;
   std::vector<Edge> edges_;
   std::vector<const Edge*> active_;
-  std::vector<Open> open_;
+  std::vector<Side> sides_;  // of a band
+  std::vector<Open> open_, spare_;
 };
 
 }  // namespace
