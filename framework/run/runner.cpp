@@ -362,7 +362,7 @@ class SceneRun {
 
 nlohmann::ordered_json chosen(const nlohmann::ordered_json& request, const char* list, std::size_t index) {
   nlohmann::ordered_json settings = request.at(list).at(index);
-  for (const char* key : {"type", "label", "lookup"}) settings.erase(key);
+  for (const char* key : {"type", "label", "lookup", "if_it_fits"}) settings.erase(key);
   return settings;
 }
 

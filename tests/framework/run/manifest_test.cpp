@@ -4,6 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <set>
 
+#include "framework/run/keyed_plugins.h"
 #include "message_of.h"
 #include "metrics/registry.h"
 #include "pictures/registry.h"
@@ -16,29 +17,12 @@ namespace {
 using namespace parameter;
 namespace fs = std::filesystem;
 
-constexpr Parameter scene_parameters[] = {file("height", "heights"), real("far", 10, 0, 100, "", "distance")};
-constexpr Parameter sampler_parameters[] = {integer("n", 4, 1, 256, "points", "points")};
-constexpr ScenePlugin scene_plugin{.summary = "", .source = "", .parameters = scene_parameters};
-constexpr SamplerPlugin sampler_plugin{.summary = "", .source = "", .parameters = sampler_parameters};
-
 // A job whose parts a test may change one by one.
 struct Job {
   TemporaryFolder folder;
-  Plugin scene_file{.file = folder.file("hills.so", "hills 1"),
-                    .kind = Kind::scene,
-                    .name = "hills",
-                    .version = "1",
-                    .scene = &scene_plugin};
-  Plugin sampler_file{.file = folder.file("dots.so", "dots 1"),
-                      .kind = Kind::sampler,
-                      .name = "dots",
-                      .version = "1",
-                      .sampler = &sampler_plugin};
-  Plugin reference_file{.file = folder.file("truth.so", "truth 1"),
-                        .kind = Kind::sampler,
-                        .name = "truth",
-                        .version = "1",
-                        .sampler = &sampler_plugin};
+  Plugin scene_file = scene_in(folder);
+  Plugin sampler_file = sampler_in(folder, "dots");
+  Plugin reference_file = sampler_in(folder, "truth");
   SceneChoice scene{"hills", &scene_file, Settings(scene_parameters)};
   SamplerChoice sampler{"dots", &sampler_file, Settings(sampler_parameters), "nearest"};
   SamplerChoice reference{"truth", &reference_file, Settings(sampler_parameters), "nearest"}, fragments = reference;

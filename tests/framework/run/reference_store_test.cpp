@@ -11,6 +11,7 @@
 #include <set>
 
 #include "files/whole_file.h"
+#include "framework/run/keyed_plugins.h"
 #include "message_of.h"
 #include "temporary_folder.h"
 
@@ -21,10 +22,6 @@ namespace {
 using namespace parameter;
 namespace fs = std::filesystem;
 
-constexpr Parameter scene_parameters[] = {file("height", "heights"), real("far", 10, 0, 100, "", "distance")};
-constexpr Parameter sampler_parameters[] = {integer("n", 4, 1, 256, "points", "points")};
-constexpr ScenePlugin scene_plugin{.summary = "", .source = "", .parameters = scene_parameters};
-constexpr SamplerPlugin sampler_plugin{.summary = "", .source = "", .parameters = sampler_parameters};
 constexpr SamplerPlugin random_plugin{
     .summary = "", .source = "", .parameters = sampler_parameters, .claims = {.deterministic = false}};
 
@@ -33,21 +30,9 @@ constexpr ImageSize size{3, 2};
 // A store and a request, whose parts a test may change one by one.
 struct Case {
   TemporaryFolder folder;
-  Plugin scene_file{.file = folder.file("hills.so", "hills 1"),
-                    .kind = Kind::scene,
-                    .name = "hills",
-                    .version = "1",
-                    .scene = &scene_plugin};
-  Plugin sampler_file{.file = folder.file("truth.so", "truth 1"),
-                      .kind = Kind::sampler,
-                      .name = "truth",
-                      .version = "1",
-                      .sampler = &sampler_plugin};
-  Plugin half_file{.file = folder.file("half.so", "half 1"),
-                   .kind = Kind::sampler,
-                   .name = "half",
-                   .version = "1",
-                   .sampler = &sampler_plugin};
+  Plugin scene_file = scene_in(folder);
+  Plugin sampler_file = sampler_in(folder, "truth");
+  Plugin half_file = sampler_in(folder, "half");
   ReferenceRequest request;
   std::string program = "program 1";
   bool is_fresh = false;

@@ -153,11 +153,10 @@ class Cluster {
   template <class Sink>
   void group(std::size_t begin, std::size_t end, double ya, double yb, Sink& sink) {
     // What covers all of the group hides all that is behind it.
-    std::vector<std::uint64_t>& rest = rest_;
-    rest = inside_;
+    rest_ = inside_;
     for (std::size_t k = begin; k < end; ++k)
-      rest[items_[k].layer / 64] &= ~(std::uint64_t{1} << (items_[k].layer % 64));
-    const std::uint32_t cover = front(rest);
+      rest_[items_[k].layer / 64] &= ~(std::uint64_t{1} << (items_[k].layer % 64));
+    const std::uint32_t cover = front(rest_);
     const auto is_hidden = [&](const Item& item) { return local_[item.layer] > cover; };
     const auto hidden =
         static_cast<std::size_t>(std::count_if(items_.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -165,7 +164,7 @@ class Cluster {
     if (hidden > 0) {
       const std::size_t visible = items_.size();
       for (std::size_t k = begin; k < end; ++k) {
-        if (!is_hidden(items_[k])) items_.push_back(Item(items_[k]));
+        if (!is_hidden(items_[k])) items_.push_back(items_[k]);
       }
       groups(visible, items_.size(), ya, yb, sink);
       items_.resize(visible);

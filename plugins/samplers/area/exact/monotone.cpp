@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "exact/path.h"
+
 namespace area {
 
 namespace {
@@ -11,11 +13,7 @@ struct Edge {
   moire::Point upper, lower;
   int direction;
 
-  double x(double y) const {
-    if (y == upper.y) return upper.x;
-    if (y == lower.y) return lower.x;
-    return upper.x + (y - upper.y) * ((lower.x - upper.x) / (lower.y - upper.y));
-  }
+  double x(double y) const { return y == upper.y ? upper.x : x_at(upper, lower, y); }
 };
 
 // One layer, cut into bands in which no edge begins, ends or crosses another.

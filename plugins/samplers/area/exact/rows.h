@@ -2,8 +2,7 @@
 // and between them the layer that fills the row from top to bottom.
 //
 // The chains of a row are sorted by their left ends. Those whose x ranges do not touch any other's only have to be
-// counted; where ranges touch, a Cluster finds what is visible (after the exact sweep of Catmull 1978 in purpose, not
-// in method).
+// counted; where ranges touch, a Cluster finds what is visible.
 #pragma once
 
 #include <algorithm>

@@ -12,6 +12,7 @@
 #include "exact/integrator.h"
 #include "exact/layers.h"
 #include "exact/monotone.h"
+#include "exact/path.h"
 
 namespace area {
 
@@ -112,8 +113,7 @@ class Scanline {
   }
   static double x_on(moire::Point p, moire::Point q, double y) {
     if (y <= p.y) return p.x;
-    if (y >= q.y) return q.x;
-    return p.x + (y - p.y) * ((q.x - p.x) / (q.y - p.y));
+    return y >= q.y ? q.x : x_at(p, q, y);
   }
 
   // The polygon between two sides, as a list of vertices: down the left side and up the right one.
