@@ -46,9 +46,12 @@ std::vector<Described> everything(const Session& session) {
   };
   add_passes("metric", session.vocabulary.metrics);
   add_passes("picture", session.vocabulary.pictures);
-  for (const NamedSummary& l : session.vocabulary.lookups) {
-    all.push_back({"lookup", std::string(l.name), "", std::string(l.summary), "", {}, {}, {}});
-  }
+  const auto add_options = [&](const char* kind, std::span<const NamedSummary> named) {
+    for (const NamedSummary& one : named)
+      all.push_back({kind, std::string(one.name), "", std::string(one.summary), "", one.parameters, {}, {}});
+  };
+  add_options("lookup", session.vocabulary.lookups);
+  add_options("filter", session.vocabulary.filters);
   return all;
 }
 
@@ -143,8 +146,9 @@ int describe(const Session& session, const std::string& name, bool as_json) {
     if (d.name == name) found.push_back(&d);
   }
   if (found.empty()) {
-    throw Error(fmt::format("{}: no sampler, scene, metric, picture or lookup has this name{} `moire list` shows all",
-                            name, did_you_mean(name, names)));
+    throw Error(
+        fmt::format("{}: no sampler, scene, metric, picture, lookup or filter has this name{} `moire list` shows all",
+                    name, did_you_mean(name, names)));
   }
   for (const Described* d : found) {
     if (d != found.front() && !as_json) fmt::print("\n");

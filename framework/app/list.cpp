@@ -28,14 +28,16 @@ Entries passes(std::span<const PassDescription* const> descriptions) {
   return entries;
 }
 
+Entries options(std::span<const NamedSummary> named) {
+  Entries entries;
+  for (const NamedSummary& one : named) entries.emplace_back(one.name, one.summary);
+  return entries;
+}
+
 std::vector<Section> sections(const Session& session) {
-  Entries lookups;
-  for (const NamedSummary& lookup : session.vocabulary.lookups) lookups.emplace_back(lookup.name, lookup.summary);
-  return {{"samplers", plugins(session, Kind::sampler)},
-          {"scenes", plugins(session, Kind::scene)},
-          {"metrics", passes(session.vocabulary.metrics)},
-          {"pictures", passes(session.vocabulary.pictures)},
-          {"lookups", lookups}};
+  return {{"samplers", plugins(session, Kind::sampler)},    {"scenes", plugins(session, Kind::scene)},
+          {"metrics", passes(session.vocabulary.metrics)},  {"pictures", passes(session.vocabulary.pictures)},
+          {"lookups", options(session.vocabulary.lookups)}, {"filters", options(session.vocabulary.filters)}};
 }
 
 // Why a sampler cannot run on a scene, both with their default settings; empty where it can.

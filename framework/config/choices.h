@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/experiment.h"
+#include "config/experiment_format.h"
 #include "config/settings_reader.h"
 
 namespace moire {
@@ -14,7 +15,7 @@ struct Choice {
   Place place;       // of the entry it comes from
   std::string path;  // "samplers[2]"
   const Plugin* plugin = nullptr;
-  std::vector<Parameter> table;  // of the plugin; a sampler's ends with its lookup
+  std::vector<Parameter> table;  // of the plugin; a sampler's goes on with its options
   Cells cells;
   std::string label;        // empty: none
   std::string name;         // given by name_choices
@@ -24,7 +25,7 @@ struct Choice {
 // What entries are read with.
 struct ChoiceContext {
   const Vocabulary& vocabulary;
-  std::string_view lookups;  // format::lookup_choices
+  const format::OptionNames& options;
   const Reading& reading;
 };
 

@@ -22,11 +22,7 @@ namespace {
 class ExperimentReader {
  public:
   ExperimentReader(const ExperimentPlace& place, const Vocabulary& vocabulary, const JsonNode& root, Problems& problems)
-      : vocabulary_(vocabulary),
-        root_(root),
-        problems_(problems),
-        files_(place),
-        lookups_(format::lookup_choices(vocabulary)) {
+      : vocabulary_(vocabulary), root_(root), problems_(problems), files_(place), options_(vocabulary) {
     experiment_.name = place.folder.filename().string();
   }
 
@@ -127,7 +123,7 @@ class ExperimentReader {
     if (entries != &no_items_ && entries->items.empty())
       problems_.add(entries->place, key, "is an empty list; name one at least");
     std::vector<Choice> choices;
-    const ChoiceContext context{vocabulary_, lookups_, reading_};
+    const ChoiceContext context{vocabulary_, options_, reading_};
     for (std::size_t i = 0; i < entries->items.size(); ++i) {
       const JsonNode& entry = entries->items[i];
       if (kind == Kind::sampler && is_left_out(entry, item_path(key, i), context)) {
@@ -156,7 +152,7 @@ class ExperimentReader {
   void read_reference() {
     const JsonNode* node = root_.find("reference");
     if (node == nullptr || (node->is(JsonKind::text) && node->text == format::default_reference)) return;
-    reference_ = read_entry(*node, "reference", Kind::sampler, false, {vocabulary_, lookups_, reading_});
+    reference_ = read_entry(*node, "reference", Kind::sampler, false, {vocabulary_, options_, reading_});
     name_choices(reference_, "reference", problems_);
   }
 
@@ -248,7 +244,7 @@ class ExperimentReader {
   const JsonNode& root_;
   Problems& problems_;
   DataFiles files_;
-  std::string lookups_;
+  format::OptionNames options_;
   Reading reading_{files_, problems_};
   JsonNode no_items_;
   std::vector<Choice> scenes_, samplers_, reference_;  // of the last: none for the default, or one

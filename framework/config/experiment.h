@@ -23,12 +23,14 @@ struct SceneChoice {
   std::vector<std::string> without = {};  // samplers that are left out here, since they do not fit
 };
 
-// A sampler with its settings and lookup: a contender.
+// A sampler with its settings, lookup and filter: a contender.
 struct SamplerChoice {
   std::string name;  // "supersample[n=4]"
   const Plugin* plugin = nullptr;
   Settings settings;
-  std::string lookup;  // a name from Vocabulary::lookups
+  std::string lookup;          // a name from Vocabulary::lookups
+  std::string filter = "box";  // a name from Vocabulary::filters
+  Settings options = {};       // of that lookup and that filter; what is not there has its default
 };
 
 // A metric or a picture.
@@ -56,6 +58,7 @@ struct Experiment {
 // A name an experiment may use, and what it is.
 struct NamedSummary {
   std::string_view name, summary;
+  std::span<const Parameter> parameters = {};  // all in the group of this name: "mipmap.bias"
 };
 
 // What an experiment may speak of.
@@ -65,6 +68,8 @@ struct Vocabulary {
   // The first, "nearest", asks scenes for nothing; all others for Questions::surface.
   std::span<const NamedSummary> lookups;
   std::span<const PassDescription* const> pictures = {};
+  // The first, "box", is what samplers do by themselves.
+  std::span<const NamedSummary> filters = {};
 };
 
 // Command-line changes to an experiment.

@@ -5,20 +5,37 @@
 
 namespace moire::format {
 
-std::string lookup_choices(const Vocabulary& vocabulary) {
-  std::string choices;
-  for (const NamedSummary& lookup : vocabulary.lookups) {
-    if (!choices.empty()) choices += ' ';
-    choices += lookup.name;
+namespace {
+
+std::string joined(std::span<const NamedSummary> named) {
+  std::string names;
+  for (const NamedSummary& one : named) {
+    if (!names.empty()) names += ' ';
+    names += one.name;
   }
-  return choices;
+  return names;
 }
 
-std::vector<Parameter> parameters_of(const Plugin& plugin, std::string_view lookups) {
+}  // namespace
+
+OptionNames::OptionNames(const Vocabulary& vocabulary)
+    : lookups(joined(vocabulary.lookups)), filters(joined(vocabulary.filters)) {}
+
+bool takes_filters(const SamplerPlugin& sampler) { return sampler.make_points || sampler.takes_filters; }
+
+std::vector<Parameter> parameters_of(const Plugin& plugin, const Vocabulary& vocabulary, const OptionNames& names) {
   std::vector<Parameter> table(plugin.parameters().begin(), plugin.parameters().end());
-  if (plugin.sampler) {
-    table.push_back(
-        parameter::choice("lookup", plugin.sampler->lookup, lookups, "how a hit on a texture becomes colour"));
+  if (!plugin.sampler) return table;
+  const auto add = [&](const Parameter& choice, std::span<const NamedSummary> named) {
+    table.push_back(choice);
+    for (const NamedSummary& one : named) table.insert(table.end(), one.parameters.begin(), one.parameters.end());
+  };
+  add(parameter::choice(lookup_key, plugin.sampler->lookup, names.lookups, "how a hit on a texture becomes colour"),
+      vocabulary.lookups);
+  if (takes_filters(*plugin.sampler) && !vocabulary.filters.empty()) {
+    add(parameter::choice(filter_key, vocabulary.filters.front().name, names.filters,
+                          "how points, or what lies between them, are weighed into a pixel"),
+        vocabulary.filters);
   }
   return table;
 }

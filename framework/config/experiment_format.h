@@ -38,12 +38,20 @@ inline constexpr std::string_view keys[] = {"question", "image",  "scenes",  "sa
 inline constexpr std::string_view default_reference = "auto";
 inline constexpr std::string_view default_metric = "error";
 
-// The names of the lookups as the choices of a parameter: "nearest bilinear".
-std::string lookup_choices(const Vocabulary& vocabulary);
+// The names of lookups and filters as the choices of a parameter: "nearest bilinear".
+struct OptionNames {
+  explicit OptionNames(const Vocabulary& vocabulary);
+  std::string lookups, filters;
+};
 
-// The parameters of a plugin; those of a sampler end with its lookup, which can be given and be a grid like any other.
-// Requires: `lookups` outlives the table.
-std::vector<Parameter> parameters_of(const Plugin& plugin, std::string_view lookups);
+// The parameters of a plugin; those of a sampler go on with its options, which can be given and be a grid like any
+// other: the lookup, the filter if it takes one, and what all of these take. Requires: `names` outlives the table.
+std::vector<Parameter> parameters_of(const Plugin& plugin, const Vocabulary& vocabulary, const OptionNames& names);
+
+inline constexpr std::string_view lookup_key = "lookup", filter_key = "filter";
+
+// Whether a filter can be chosen for such samplers.
+bool takes_filters(const SamplerPlugin& sampler);
 
 // The words of "column grid".
 std::vector<std::string_view> words(std::string_view choices);

@@ -16,12 +16,16 @@ Questions without(Questions all, Questions known) {
 }
 
 std::string in_words(Questions questions) {
-  constexpr std::pair<Questions, std::string_view> all[] = {{Questions::points, "points"},
-                                                            {Questions::lines, "lines"},
-                                                            {Questions::radial_lines, "lines through a common point"},
-                                                            {Questions::polygons, "polygons"},
-                                                            {Questions::surface, "places on a texture"},
-                                                            {Questions::curves, "lines and circles with their ends"}};
+  constexpr std::pair<Questions, std::string_view> all[] = {
+      {Questions::points, "points"},
+      {Questions::lines, "lines"},
+      {Questions::radial_lines, "lines through a common point"},
+      {Questions::polygons, "polygons"},
+      {Questions::surface, "places on a texture"},
+      {Questions::curves, "lines and circles with their ends"},
+      {Questions::averages, "exact averages over pixels"},
+      {Questions::filtered_averages, "exact averages under filters"},
+      {Questions::spectrum, "known frequencies"}};
   std::vector<std::string_view> words;
   for (const auto& [question, name] : all) {
     if ((questions & question) != Questions::none) words.push_back(name);
@@ -29,9 +33,15 @@ std::string in_words(Questions questions) {
   return fmt::format("{}", fmt::join(words, " and "));
 }
 
+// Null in RenderRequest.
+constexpr std::string_view box = "box";
+
 Questions asked(const SamplerChoice& sampler, const Vocabulary& vocabulary) {
   const bool is_nearest = sampler.lookup == vocabulary.lookups.front().name;
-  return sampler.plugin->sampler->asks(sampler.settings) | (is_nearest ? Questions::none : Questions::surface);
+  const Questions own = sampler.plugin->sampler->asks(sampler.settings);
+  const bool scene_filters = sampler.filter != box && (own & Questions::averages) != Questions::none;
+  return own | (is_nearest ? Questions::none : Questions::surface) |
+         (scene_filters ? Questions::filtered_averages : Questions::none);
 }
 
 // What would do: other settings of the scene, or the known scenes that answer this with their default settings.
@@ -64,7 +74,7 @@ std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, con
   const Questions questions = asked(sampler, vocabulary), missing = missing_in(scene, questions);
   if (missing == Questions::none) return "";
   const Questions own = sampler.plugin->sampler->asks(sampler.settings);
-  const bool is_for_lookup = without(missing, own) != Questions::none;
+  const bool is_for_lookup = without(missing & Questions::surface, own) != Questions::none;
   return refusal(sampler.name, missing, is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "",
                  scene, advice_on(questions, scene, vocabulary));
 }

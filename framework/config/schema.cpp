@@ -81,14 +81,14 @@ constexpr std::string_view label_meaning = "the name in reports and folders";
 const std::string if_installed_key(format::if_installed.name);
 constexpr std::string_view use_meaning = "a JSON file whose object is filled in under the keys given here";
 
-Json plugin_schema(const Plugin& plugin, std::string_view lookups, bool takes_grids) {
+Json plugin_schema(const Plugin& plugin, const Vocabulary& vocabulary, bool takes_grids) {
   Json schema = typed_object(plugin.name, plugin.summary());
   if (plugin.sampler && takes_grids)
     for (const Parameter& flag : {format::if_installed, format::if_it_fits})
       schema["properties"][std::string(flag.name)] = parameter_schema(flag, false);
   schema["properties"]["label"] = {{"type", "string"}, {"minLength", 1}, {"description", label_meaning}};
   schema["properties"]["use"] = {{"type", "string"}, {"description", use_meaning}};
-  add_parameters(format::parameters_of(plugin, lookups), takes_grids, schema);
+  add_parameters(format::parameters_of(plugin, vocabulary, format::OptionNames(vocabulary)), takes_grids, schema);
   return schema;
 }
 
@@ -106,12 +106,11 @@ Json entry_schema(const Json& names, const Json& objects) {
 }
 
 Json plugin_entry_schema(Kind kind, const Vocabulary& vocabulary, bool takes_grids) {
-  const std::string lookups = format::lookup_choices(vocabulary);
   Json names = Json::array(), objects = Json::array();
   for (const Plugin* plugin : vocabulary.catalog->all(kind)) {
     if (plugin->sampler && plugin->sampler->is_optional) continue;
     names.push_back(plugin->name);
-    objects.push_back(plugin_schema(*plugin, lookups, takes_grids));
+    objects.push_back(plugin_schema(*plugin, vocabulary, takes_grids));
   }
   // The used file says the type, and so what else may stand here.
   objects.push_back({{"type", "object"},

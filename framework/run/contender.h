@@ -1,4 +1,4 @@
-// A sampler and a lookup, ready to render.
+// A sampler, a lookup and a filter, ready to render.
 #pragma once
 
 #include <memory>
@@ -23,8 +23,12 @@ class Contender {
   bool continues() const { return continues_; }
   std::unique_ptr<Rendering> begin(const Frame& frame, std::uint64_t seed, int frame_number = 0,
                                    const Rendering* previous = nullptr) const {
-    return sampler_->begin(
-        {.frame = frame, .lookup = lookup_.get(), .seed = seed, .frame_number = frame_number, .previous = previous});
+    return sampler_->begin({.frame = frame,
+                            .lookup = lookup_.get(),
+                            .filter = filter_.get(),
+                            .seed = seed,
+                            .frame_number = frame_number,
+                            .previous = previous});
   }
 
  private:
@@ -32,9 +36,11 @@ class Contender {
   bool continues_;
   std::unique_ptr<Sampler> sampler_;
   std::unique_ptr<Lookup> lookup_;
+  std::unique_ptr<Filter> filter_;  // null: the box
 };
 
+// `error_bound`: set to the rendering's, unless null.
 Picture render_picture(const Contender& contender, const Frame& frame, int frame_number, std::uint64_t seed,
-                       const Workers& workers);
+                       const Workers& workers, double* error_bound = nullptr);
 
 }  // namespace moire

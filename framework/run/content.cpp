@@ -36,7 +36,8 @@ nlohmann::ordered_json content_of(const SceneChoice& scene, ContentHashes& hashe
 }
 
 nlohmann::ordered_json content_of(const SamplerChoice& sampler, ContentHashes& hashes) {
-  return {sampler.plugin->name, hashes.of(sampler.plugin->file), json_of(sampler.settings), sampler.lookup};
+  return {sampler.plugin->name, hashes.of(sampler.plugin->file), json_of(sampler.settings), sampler.lookup,
+          sampler.filter,       json_of(sampler.options)};
 }
 
 }  // namespace moire

@@ -71,8 +71,8 @@ ReferenceChoice best_reference(const Catalog& catalog, Questions answered) {
 ReferenceChoice named_reference(const SamplerChoice& named, Questions answered) {
   Trust trust = Trust::none;
   ReferenceChoice choice = offered(*named.plugin, answered, trust);
-  const bool is_offered =
-      trust != Trust::none && named.settings == choice.sampler.settings && named.lookup == choice.sampler.lookup;
+  const bool is_offered = trust != Trust::none && named.settings == choice.sampler.settings &&
+                          named.lookup == choice.sampler.lookup && named.filter == choice.sampler.filter;
   if (!is_offered) return {named, {}, named.plugin->sampler->claims.exact};
   choice.sampler.name = named.name;
   return choice;
@@ -95,11 +95,16 @@ Reference make_reference(const ReferenceRequest& request, const Frame& frame, co
   const auto picture = [&](const SamplerChoice& sampler) {
     return render_picture(Contender(sampler), frame, request.frame_number, request.seed, workers);
   };
-  Reference reference{recipe_of(request), picture(choice.sampler), 0, "", "computed now"};
+  Reference reference{recipe_of(request), {}, 0, "", "computed now"};
+  double bound = 0;
+  reference.picture =
+      render_picture(Contender(choice.sampler), frame, request.frame_number, request.seed, workers, &bound);
   if (choice.is_exact) {
-    reference.error = exact_error;
+    reference.error = exact_error + levels_of_full_scale * bound;
     reference.how =
         "exact: no sampling error; pixels are kept as floats, and two that are rounded differ by 2^-24 at most";
+    if (bound > 0)
+      reference.how += fmt::format("; no pixel of it is off by more than {:.2g} levels", levels_of_full_scale * bound);
   } else if (choice.half) {
     const Picture weaker = picture(*choice.half);
     reference.error = root_mean_square(differences(weaker, reference.picture, Space::linear));

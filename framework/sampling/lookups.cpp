@@ -2,20 +2,26 @@
 
 #include <array>
 
+#include "sampling/options.h"
+
+#include "sampling/options.h"
+
 namespace moire {
 
 namespace {
 
 struct Entry {
   NamedSummary description;
-  std::unique_ptr<Lookup> (*make)();
+  std::unique_ptr<Lookup> (*make)(const Settings& settings);
 };
 
 constexpr std::array entries{
-    Entry{{"nearest", "the texel that is hit, as the scene colours it"}, [] { return std::unique_ptr<Lookup>(); }},
+    Entry{{"nearest", "the texel that is hit, as the scene colours it"},
+          [](const Settings&) { return std::unique_ptr<Lookup>(); }},
     Entry{{"linear_across", "two texels, interpolated across the direction of view (Cohen-Or 1997, eq. 4)"},
-          make_linear_across},
-    Entry{{"bilinear", "the four nearest texels, interpolated along both texture axes"}, make_bilinear},
+          [](const Settings&) { return make_linear_across(); }},
+    Entry{{"bilinear", "the four nearest texels, interpolated along both texture axes"},
+          [](const Settings&) { return make_bilinear(); }},
 };
 
 }  // namespace
@@ -29,9 +35,9 @@ std::span<const NamedSummary> lookups() {
   return descriptions;
 }
 
-std::unique_ptr<Lookup> make_lookup(std::string_view name) {
+std::unique_ptr<Lookup> make_lookup(std::string_view name, const Settings& settings) {
   for (const Entry& entry : entries) {
-    if (entry.description.name == name) return entry.make();
+    if (entry.description.name == name) return entry.make(with_defaults(entry.description.parameters, settings));
   }
   return nullptr;
 }

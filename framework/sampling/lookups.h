@@ -14,8 +14,9 @@ namespace moire {
 // "nearest" first.
 std::span<const NamedSummary> lookups();
 
-// Null for "nearest": the scene's own colours. Requires: a name from lookups().
-std::unique_ptr<Lookup> make_lookup(std::string_view name);
+// Null for "nearest": the scene's own colours. What `settings` lacks of the lookup's table has its default.
+// Requires: a name from lookups().
+std::unique_ptr<Lookup> make_lookup(std::string_view name, const Settings& settings = {});
 
 std::unique_ptr<Lookup> make_linear_across();
 std::unique_ptr<Lookup> make_bilinear();

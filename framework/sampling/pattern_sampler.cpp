@@ -1,6 +1,9 @@
 #include "sampling/pattern_sampler.h"
 
+#include <cmath>
 #include <optional>
+
+#include <moire/probe.h>
 
 #include "sampling/strands.h"
 
@@ -8,14 +11,22 @@ namespace moire {
 
 namespace {
 
+Spacing spacing_of(const PointSampler& sampler, const RenderRequest& request) {
+  if (const auto spacing = sampler.spacing()) return *spacing;
+  Points points;
+  sampler.points({0, 0, request.frame_number, request.seed}, points);
+  const double apart = 1 / std::sqrt(static_cast<double>(std::max<std::size_t>(points.entries().size(), 1)));
+  return {apart, apart};
+}
+
 class PatternRendering final : public Rendering {
  public:
-  PatternRendering(const PointSampler& sampler, const RenderRequest& request) : sampler_(sampler), request_(request) {}
+  PatternRendering(const PointSampler& sampler, const RenderRequest& request)
+      : sampler_(sampler), request_(request), spacing_(spacing_of(sampler, request)) {}
 
   void render(PixelBlock& block) const override {
     std::optional<Strands> strands;
-    std::vector<Hit> hits;
-    std::vector<SurfacePoint> places;
+    Probe probe(request_, spacing_);
     for (int x = block.x0; x < block.x0 + block.width; ++x) {
       if (strands && sampler_.same_in_every_pixel()) {
         strands->move_to(x);
@@ -24,42 +35,17 @@ class PatternRendering final : public Rendering {
       }
       const std::size_t base = block.slot(x, block.y0);
       for (const Strand& strand : strands->all()) {
-        if (request_.lookup) {
-          look_up(strand, base, places, block);
-        } else {
-          trace(strand, base, hits, block);
-        }
+        probe.see(
+            strand.points, block, [&](std::size_t k) { return base + strand.rows[k]; },
+            [&](std::size_t k) { return strand.weights[k]; });
       }
     }
   }
 
  private:
-  void trace(const Strand& strand, std::size_t base, std::vector<Hit>& hits, PixelBlock& block) const {
-    hits.resize(strand.points.size());
-    request_.frame.trace(strand.points, hits, block.counters);
-    block.fill([&](auto add) {
-      for (std::size_t k = 0; k < hits.size(); ++k) {
-        add(base + strand.rows[k], hits[k].element, strand.weights[k], hits[k].color);
-      }
-    });
-  }
-
-  void look_up(const Strand& strand, std::size_t base, std::vector<SurfacePoint>& places, PixelBlock& block) const {
-    const Surface& surface = *request_.frame.surface();
-    places.resize(strand.points.size());
-    surface.locate(strand.points, places, block.counters);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::size_t slot = base + strand.rows[k];
-      if (places[k].textured) {
-        request_.lookup->deposit(places[k], surface.texture(), strand.weights[k], block, slot);
-      } else {
-        block.add(slot, places[k].hit.element, strand.weights[k], places[k].hit.color);
-      }
-    }
-  }
-
   const PointSampler& sampler_;
   RenderRequest request_;
+  Spacing spacing_;
 };
 
 class PatternSampler final : public Sampler {
@@ -75,7 +61,7 @@ class PatternSampler final : public Sampler {
 
 }  // namespace
 
-std::unique_ptr<Sampler> make_sampler(const SamplerPlugin& plugin, const Settings& settings) {
+std::unique_ptr<Sampler> make_sampler(const SamplerPlugin& plugin, const Settings& settings, const FilterChoice&) {
   if (plugin.make) return plugin.make(settings);
   return std::make_unique<PatternSampler>(plugin.make_points(settings));
 }

@@ -7,7 +7,14 @@
 
 namespace moire {
 
-// The sampler that a plugin makes from these settings; a PointSampler is given its host's part.
-std::unique_ptr<Sampler> make_sampler(const SamplerPlugin& plugin, const Settings& settings);
+// A filter and its settings.
+struct FilterChoice {
+  std::string_view name = "box";  // a name from filters()
+  Settings settings = {};         // what is missing has its default
+};
+
+// The sampler that a plugin makes from these settings; a PointSampler is given its host's part, which heeds the filter.
+std::unique_ptr<Sampler> make_sampler(const SamplerPlugin& plugin, const Settings& settings,
+                                      const FilterChoice& filter = {});
 
 }  // namespace moire

@@ -126,11 +126,12 @@ TEST_CASE("describe knows near misses") {
   CHECK(near.code == 2);
   CHECK(near.out == "");
   CHECK(near.err ==
-        "supersmple: no sampler, scene, metric, picture or lookup has this name; did you mean \"supersample\"? `moire "
+        "supersmple: no sampler, scene, metric, picture, lookup or filter has this name; did you mean \"supersample\"? "
+        "`moire "
         "list` "
         "shows all\n");
   CHECK(desk.moire({"describe", "unheard_of"}).err ==
-        "unheard_of: no sampler, scene, metric, picture or lookup has this name; `moire list` shows all\n");
+        "unheard_of: no sampler, scene, metric, picture, lookup or filter has this name; `moire list` shows all\n");
 }
 
 TEST_CASE("the schema for editors is the one beside the sources") {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
+#include <moire/filter.h>
 #include <moire/geometry.h>
 #include <moire/tally.h>
 #include <moire/texture.h>
@@ -86,6 +88,34 @@ class Surface {
   virtual const Texture& texture() const = 0;
 };
 
+// Exact averages over pixels, where the scene has a closed form or a bounded quadrature for them.
+class Averages {
+ public:
+  virtual ~Averages() = default;
+  // Deposits the content of every pixel of the block: weights sum to 1. `filter` null: the pixel's own square; others
+  // only if the scene answers Questions::filtered_averages. Returns a bound on the error of any channel of any of
+  // these pixels, 0 where rounding is all there is. Recorded fragments name elements as trace() does.
+  virtual double integrate(const Filter* filter, PixelBlock& block) const = 0;
+};
+
+// amplitude * cos(2 pi (fx x + fy y) + phase), frequencies in cycles a pixel, phase in radians at (0, 0) of the image.
+struct Sinusoid {
+  double amplitude, fx, fy, phase;
+};
+
+// What a picture of known frequencies is made of. All channels are equal.
+class Spectrum {
+ public:
+  virtual ~Spectrum() = default;
+  // The picture is a constant and the sum of these. Empty: it is no such sum.
+  virtual std::span<const Sinusoid> sinusoids() const { return {}; }
+  // Of a picture of one wave whose frequency changes from place to place (zone plate): the larger of |fx| and |fy| at
+  // a point, cycles a pixel. NaN: it is no such picture.
+  virtual double local_frequency(Point) const { return std::numeric_limits<double>::quiet_NaN(); }
+  // Of that wave, about its mean.
+  virtual double amplitude() const { return 0; }
+};
+
 // Lines and circles with their real end points; defined by the first scene that has them.
 class Curves;
 
@@ -105,6 +135,8 @@ class Frame {
   virtual const Polygons* polygons() const { return nullptr; }
   virtual const Surface* surface() const { return nullptr; }
   virtual const Curves* curves() const { return nullptr; }
+  virtual const Averages* averages() const { return nullptr; }
+  virtual const Spectrum* spectrum() const { return nullptr; }
 };
 
 }  // namespace moire

@@ -18,19 +18,22 @@
 namespace moire {
 
 // Rises whenever a type or function of the SDK changes so that plugins must be rebuilt.
-inline constexpr std::uint32_t interface_version = 3;
+inline constexpr std::uint32_t interface_version = 4;
 
 enum class Kind : std::uint32_t { sampler = 1, scene = 2 };
 
 // The questions of a Frame, as a set.
 enum class Questions : std::uint32_t {
   none = 0,
-  points = 1,        // Frame::trace
-  lines = 2,         // Frame::lines
-  radial_lines = 4,  // Frame::lines, with a pole
-  polygons = 8,      // Frame::polygons
-  surface = 16,      // Frame::surface
-  curves = 32,       // Frame::curves
+  points = 1,               // Frame::trace
+  lines = 2,                // Frame::lines
+  radial_lines = 4,         // Frame::lines, with a pole
+  polygons = 8,             // Frame::polygons
+  surface = 16,             // Frame::surface
+  curves = 32,              // Frame::curves
+  averages = 64,            // Frame::averages over pixels
+  filtered_averages = 128,  // Frame::averages under any filter
+  spectrum = 256,           // Frame::spectrum
 };
 constexpr Questions operator|(Questions a, Questions b) {
   return static_cast<Questions>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -61,6 +64,8 @@ struct SamplerPlugin {
   std::string_view lookup = "nearest";  // the lookup used unless the experiment names one
   // Whether renderings save time by RenderRequest::previous.
   bool (*continues)(const Settings&) = [](const Settings&) { return false; };
+  // Whether it heeds RenderRequest::filter; of a pattern of points the host does it.
+  bool takes_filters = false;
   // Part of an installation only where what it needs is there: schemas leave it out, experiments name it
   // "if_installed".
   bool is_optional = false;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <moire/color.h>
 #include <moire/element.h>
+#include <moire/pyramid.h>
 #include <moire/tally.h>
 
 namespace moire {
@@ -41,11 +43,13 @@ class Texture {
     int width, height;   // texels; rows follow each other
   };
 
-  Texture(std::vector<Level> levels, Wrap wrap) : levels_(std::move(levels)), wrap_(wrap) {}
+  Texture(std::vector<Level> levels, Wrap wrap);
 
   int levels() const { return static_cast<int>(levels_.size()); }
   const Level& level(int l) const { return levels_[static_cast<std::size_t>(l)]; }
   Wrap wrap() const { return wrap_; }
+  // Of level 0, made when it is first asked for, from whatever thread. Copies share it.
+  const Pyramid& pyramid() const;
 
   Hit texel(int l, std::int64_t i, std::int64_t j) const {
     const Level& level = levels_[static_cast<std::size_t>(l)];
@@ -56,8 +60,10 @@ class Texture {
   }
 
  private:
+  struct Lazy;
   std::vector<Level> levels_;
   Wrap wrap_;
+  std::shared_ptr<Lazy> lazy_;
 };
 
 // A point seen on a surface, with its place on the texture and how that place moves with the image point.
@@ -69,6 +75,9 @@ struct SurfacePoint {
   float ds_dx = 0, dt_dx = 0, ds_dy = 0, dt_dy = 0;  // per pixel of the image
 };
 
+// What a lookup filters a texture over: as much of a pixel as each sample stands for, or always a whole pixel.
+enum class Footprint { sample, pixel };
+
 // How a place on a texture becomes fragments: several texels, whose weights sum to `weight`.
 class Lookup {
  public:
@@ -78,6 +87,7 @@ class Lookup {
     linear_across,  // Cohen-Or 1997, eq. 4: two texels, along the axis that moves faster as the image point goes aside
   };
   virtual Kind kind() const { return Kind::other; }
+  virtual Footprint footprint() const { return Footprint::sample; }
 
   virtual ~Lookup() = default;
   virtual void deposit(const SurfacePoint& point, const Texture& texture, double weight, Tally& tally,

@@ -33,6 +33,9 @@ class Supersample final : public moire::PointSampler {
     }
   }
   bool same_in_every_pixel() const override { return true; }
+  std::optional<moire::Spacing> spacing() const override {
+    return moire::Spacing{1.0 / static_cast<double>(columns_), 1.0 / static_cast<double>(rows_)};
+  }
 
  private:
   std::int64_t rows_, columns_;
