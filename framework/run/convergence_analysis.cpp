@@ -159,6 +159,8 @@ class ConvergenceAnalysis {
 
 std::optional<PowerLaw> fit_power_law(const std::vector<ErrorAt>& errors) {
   const auto points = log_points(errors);
+  if (std::none_of(points.begin(), points.end(), [&](const LogPoint& p) { return p.x != points.front().x; }))
+    return std::nullopt;
   double weight = 0, x = 0, y = 0;
   for (const LogPoint& p : points) {
     weight += p.weight;
@@ -172,7 +174,6 @@ std::optional<PowerLaw> fit_power_law(const std::vector<ErrorAt>& errors) {
     xx += p.weight * (p.x - x) * (p.x - x);
     xy += p.weight * (p.x - x) * (p.y - y);
   }
-  if (!(xx > 0)) return std::nullopt;
   const double slope = xy / xx;
   double scatter = 0;
   for (const LogPoint& p : points) scatter += p.weight * std::pow(p.y - y - slope * (p.x - x), 2);
