@@ -17,6 +17,7 @@ constexpr Parameter parameters[] = {
     text("over", "n points",
          "settings that change the number of samples: contenders that differ in nothing else are one family"),
     real("from_samples", 16, 1, 1e9, "per pixel", "slopes are fitted from so many samples on"),
+    text("against", "", "the family whose samples at equal error all contenders' are compared with; \"\": none"),
     text("theory", "",
          "what is expected, as \"SCENE/FAMILY: SLOPE [CONSTANT]; ...\", of an error CONSTANT N^SLOPE; a family's name "
          "is "
@@ -38,6 +39,12 @@ constexpr Quantity quantities[] = {
      .unit = "",
      .meaning = "c of the fitted rmse c N^slope; where theory gives the slope, with that slope",
      .is_judged = false},
+    {.name = "convergence.saving",
+     .unit = "times",
+     .meaning = "samples that the family of `against` takes for the same rmse, over own samples; read off straight "
+                "lines between its sizes in log rmse over log samples, beyond its ends along its fitted slope",
+     .lower_is_better = false,
+     .is_main = true},
 };
 
 constexpr std::size_t groups = 16;

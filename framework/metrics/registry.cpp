@@ -16,6 +16,7 @@ std::span<const RegisteredMetric> registered_metrics() {
       RegisteredMetric{.description = &energy_description, .make_temporal = make_energy},
       RegisteredMetric{.description = &speed_description},
       RegisteredMetric{.description = &cost_description, .is_analysis = true},
+      RegisteredMetric{.description = &budget_description, .is_analysis = true},
   };
   return entries;
 }

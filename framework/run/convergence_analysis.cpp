@@ -56,14 +56,19 @@ std::string trimmed(const std::string& text) {
 class ConvergenceAnalysis {
  public:
   ConvergenceAnalysis(const Settings& settings, Results& results)
-      : over_(settings.text("over")), from_samples_(settings.real("from_samples")), results_(results) {
+      : over_(settings.text("over")),
+        against_(settings.text("against")),
+        from_samples_(settings.real("from_samples")),
+        results_(results) {
     results_.analyses.push_back({title, {}});
     read_theory(settings.text("theory"));
   }
 
   void run() {
     for (const SceneResult& scene : results_.scenes) {
-      for (const auto& [family, errors] : families_on(scene.name)) report(scene.name, family, errors);
+      const Families families = families_on(scene.name);
+      for (const auto& [family, errors] : families) report(scene.name, family, errors);
+      if (!against_.empty()) compare(scene.name, families);
     }
     for (const Prediction& p : predictions_) {
       if (!p.is_used) fail(fmt::format("theory for {}/{}: no such family with two sizes or more", p.scene, p.family));
@@ -149,13 +154,51 @@ class ConvergenceAnalysis {
     say(statement + ".");
   }
 
-  std::string over_;
+  // What every contender saves over the family `against`.
+  void compare(const std::string& scene, const Families& families) {
+    const auto base =
+        std::find_if(families.begin(), families.end(), [&](const auto& f) { return f.first == against_; });
+    if (base == families.end())
+      return fail(fmt::format("against \"{}\": no contender of this family ran on {}", against_, scene));
+    std::vector<Row> rows;
+    for (const Row& row : results_.rows) {
+      if (row.scene != scene || row.metric != error_metric || !(row.value > 0)) continue;
+      const double saving = samples_at(row.value, base->second) / samples_of(scene, row.sampler);
+      rows.push_back(
+          {.scene = scene, .sampler = row.sampler, .metric = "convergence.saving", .value = saving, .unit = "times"});
+    }
+    results_.rows.insert(results_.rows.end(), rows.begin(), rows.end());
+  }
+
+  double samples_of(const std::string& scene, const std::string& sampler) const {
+    for (const Row& row : results_.rows) {
+      if (row.scene == scene && row.sampler == sampler && row.metric == samples_metric) return row.value;
+    }
+    return std::nan("");
+  }
+
+  std::string over_, against_;
   double from_samples_;
   std::vector<Prediction> predictions_;
   Results& results_;
 };
 
 }  // namespace
+
+double samples_at(double error, const std::vector<ErrorAt>& family) {
+  const auto between = [&](const ErrorAt& a, const ErrorAt& b) {
+    const double share = std::log(error / a.error) / std::log(b.error / a.error);
+    return a.samples * std::pow(b.samples / a.samples, share);
+  };
+  for (std::size_t k = 1; k < family.size(); ++k) {
+    const ErrorAt &a = family[k - 1], &b = family[k];
+    if (b.error <= error && error <= a.error && 0 < b.error && b.error < a.error) return between(a, b);
+  }
+  const auto law = fit_power_law(family);
+  if (!law || !(law->slope < 0)) return std::nan("");
+  const ErrorAt& end = error > family.front().error ? family.front() : family.back();
+  return end.error > 0 ? end.samples * std::pow(error / end.error, 1 / law->slope) : std::nan("");
+}
 
 std::optional<PowerLaw> fit_power_law(const std::vector<ErrorAt>& errors) {
   const auto points = log_points(errors);

@@ -27,6 +27,11 @@ struct PowerLaw {
 // numbers of samples with errors above 0.
 std::optional<PowerLaw> fit_power_law(const std::vector<ErrorAt>& errors);
 
+// The number of samples at which a family has this error: on straight lines through the logarithms of its errors, by
+// rising samples, and beyond the first and the last along the fitted law. NaN: none can be told, as where errors do not
+// fall. Requires: error > 0.
+double samples_at(double error, const std::vector<ErrorAt>& family);
+
 // c of error = c N^slope with this slope, weighed in the same way. Requires: at least one error above 0.
 double constant_for(const std::vector<ErrorAt>& errors, double slope);
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "metrics/registry.h"
+#include "run/budget_analysis.h"
 #include "run/convergence_analysis.h"
 #include "run/cost_analysis.h"
 #include "run/manifest.h"
@@ -71,6 +72,7 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
     }
     for (const PassChoice& metric : experiment.metrics) {
       if (metric.name == cost_description.name) analyse_cost(metric.settings, on_lines, results);
+      if (metric.name == budget_description.name) analyse_budgets(metric.settings, results);
       if (metric.name == convergence_description.name) analyse_convergence(metric.settings, results);
     }
   } catch (const Interrupted&) {

@@ -128,6 +128,30 @@ TEST_CASE("slopes, constants, a chart and statements come of the rows, and theor
         "3.000, theory 3.300 (-9.1 %).");
 }
 
+TEST_CASE("the samples of a family at an error lie on straight lines in logarithms, and on its law beyond the ends") {
+  const std::vector<ErrorAt> family{{4, 0.5, 0, 0}, {16, 0.25, 0, 0}, {64, 0.125, 0, 0}};
+  CHECK(samples_at(0.25, family) == Approx(16).epsilon(1e-12));
+  CHECK(samples_at(0.25 / std::sqrt(2.0), family) == Approx(32).epsilon(1e-12));
+  CHECK(samples_at(0.0625, family) == Approx(256).epsilon(1e-12));
+  CHECK(samples_at(1, family) == Approx(1).epsilon(1e-12));
+  CHECK(std::isnan(samples_at(0.1, {{4, 0.5, 0, 0}, {16, 0.5, 0, 0}})));
+}
+
+TEST_CASE("a contender saves what the family takes for its error") {
+  Results results = some_results();
+  Settings with = settings();
+  with.set("against", std::string("jittered[amount=1]"));
+  analyse_convergence(with, results);
+  // jittered takes (3 / 0.5)^(4/3) samples for point's error of 0.5 with one.
+  CHECK(row(results, "point", "convergence.saving")->value == Approx(std::pow(6, 4.0 / 3)).epsilon(1e-9));
+  CHECK(row(results, "jittered[n=4,amount=1]", "convergence.saving")->value == Approx(1).epsilon(1e-9));
+
+  with.set("against", std::string("sobol"));
+  analyse_convergence(with, results);
+  REQUIRE(results.failures.size() == 1);
+  CHECK(results.failures[0].message == "against \"sobol\": no contender of this family ran on edge");
+}
+
 TEST_CASE("theory that cannot be read, or of nobody, is a failure") {
   Results results = some_results();
   analyse_convergence(settings("edge jittered -1; edge/nobody: -1"), results);
