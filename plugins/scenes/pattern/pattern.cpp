@@ -43,7 +43,7 @@ constexpr moire::Parameter parameters[] = {
     real("duty", 0.5, 0, 1, "", "of grating: the part of a period that is light").per_frame(),
     real("offset", 0, -1e5, 1e5, "pixels", "of edge: how far it lies from the middle").per_frame(),
     real("radius", 20.3, 1e-3, 1e5, "pixels", "of disk").per_frame(),
-    real("sigma", 10, 0.02, 1e4, "pixels", "of blob: standard deviation").per_frame(),
+    real("sigma", 10, 0.02, 1e3, "pixels", "of blob: standard deviation").per_frame(),
     integer("spokes", 36, 2, 1000, "", "of star: light ones"),
     real("cell", 8, 0.05, 1e5, "pixels", "of checkerboard: a cell's side").per_frame(),
     integer("tile", 0, 0, 4096, "pixels",
