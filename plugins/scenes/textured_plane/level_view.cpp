@@ -26,6 +26,7 @@ LevelView::LevelView(const View& view)
       from_horizon_(focal_ * std::abs(pitch_.sin) <= horizon_in_reach * pitch_.cos),
       fall0_(from_horizon_ ? 0 : -pitch_.sin),
       fall_slope_(pitch_.cos / focal_),
+      rows_per_fall_(focal_ / pitch_.cos),
       top_(view.center().y + (from_horizon_ ? focal_ * pitch_.sin / pitch_.cos : 0)),
       horizon_(from_horizon_ ? 0 : focal_ * pitch_.sin / pitch_.cos) {
   // Looking up, all ground that is in front of the camera may lie beyond the limit.

@@ -33,8 +33,8 @@ class LevelView {
   Row row(int y) const;
 
   double fall(double k) const { return fall0_ + fall_slope_ * k; }
-  // The inverse of fall(). Requires: !is_steep().
-  double row_of_fall(double fall) const { return (fall - fall0_) / fall_slope_; }
+  // The inverse of fall(). Requires: the camera does not look straight up or down.
+  double row_of_fall(double fall) const { return (fall - fall0_) * rows_per_fall_; }
   // How far ahead of the camera the plane lies at k.
   double ahead(double k) const;
   double row_of(double ahead) const;
@@ -46,7 +46,7 @@ class LevelView {
   Place line0_, place0_;
   double b_;
   bool from_horizon_;
-  double fall0_, fall_slope_;
+  double fall0_, fall_slope_, rows_per_fall_;
   double top_;                // where k is 0, rows below the picture's upper edge
   double horizon_, far_row_;  // k
 };

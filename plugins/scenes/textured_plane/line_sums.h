@@ -23,6 +23,8 @@ class LineSums {
 
   // F repeats itself after so many texels.
   int period() const { return period_; }
+  // And so do the lines after so many of them.
+  int repetition() const { return wrap_ == moire::Wrap::mirror ? 2 * lines_ : lines_; }
   // F at 0 .. period(), where it is 0 at both ends.
   const Node* line(std::int64_t n) const { return nodes_.data() + index(n) * (static_cast<std::size_t>(period_) + 1); }
   const Node& mean(std::int64_t n) const { return means_[index(n)]; }

@@ -21,12 +21,18 @@ struct Extent {
 class Descent {
  public:
   Descent(const View& view, const Texels& texels, const Blocks& blocks, const Footprint& footprint, double tolerance)
-      : view_(view), texels_(texels), blocks_(blocks), footprint_(footprint) {
-    box_ = footprint.box();
-    if (box_.count() > few_texels) tolerance_ = tolerance;
-  }
+      : view_(view),
+        texels_(texels),
+        blocks_(blocks),
+        footprint_(footprint),
+        box_(footprint.box()),
+        tolerance_(tolerance) {}
 
   void run() {
+    if (box_.count() <= few_texels) {
+      return footprint_.for_each_texel(
+          [&](std::int64_t i, std::int64_t j, double area) { sum_.add(area, texels_.texture().texel(0, i, j).color); });
+    }
     if (is_clamped()) return descend(footprint_.near(), blocks_.levels() - 1, 0, 0, {});
     const auto copy = [](std::int64_t i, std::int64_t size) { return (i - moire::wrapped(i, size, repeat)) / size; };
     const std::int64_t width = texels_.width(), height = texels_.height();
@@ -72,6 +78,11 @@ class Descent {
   std::int64_t edge(std::int64_t k, std::int64_t copy, int size) const {
     return is_mirrored(copy) ? (copy + 1) * size - k : copy * size + k;
   }
+  // The same for a range of texels, the lower one first.
+  std::pair<std::int64_t, std::int64_t> edges(std::int64_t first, std::int64_t end, std::int64_t copy, int size) const {
+    const std::int64_t a = edge(first, copy, size), b = edge(end, copy, size);
+    return {std::min(a, b), std::max(a, b)};
+  }
   bool is_mirrored(std::int64_t copy) const { return texels_.wrap() == moire::Wrap::mirror && copy % 2 != 0; }
 
   // Block (i, j) of a level.
@@ -87,10 +98,8 @@ class Descent {
           of_texture.i0 > 0 && of_texture.i1 < texels_.width() && of_texture.j0 > 0 && of_texture.j1 < texels_.height();
       if (take(part, block, ends ? &of_texture : nullptr)) return;
     } else {
-      const auto [i0, i1] =
-          std::minmax(edge(of_texture.i0, copy.i, texels_.width()), edge(of_texture.i1, copy.i, texels_.width()));
-      const auto [j0, j1] =
-          std::minmax(edge(of_texture.j0, copy.j, texels_.height()), edge(of_texture.j1, copy.j, texels_.height()));
+      const auto [i0, i1] = edges(of_texture.i0, of_texture.i1, copy.i, texels_.width());
+      const auto [j0, j1] = edges(of_texture.j0, of_texture.j1, copy.j, texels_.height());
       const Extent extent{i0, i1, j0, j1};
       if (take(part, block, &extent)) return;
     }
@@ -163,7 +172,7 @@ class Descent {
   const Blocks& blocks_;
   const Footprint& footprint_;
   TexelBox box_;
-  double tolerance_ = 0;
+  double tolerance_;
   moire::Tally::Sum sum_;
   double bound_ = 0;
 };

@@ -11,6 +11,9 @@ namespace {
 // Texels a pixel, along a strip, from which sums take less time than texels one by one.
 constexpr double fewest_for_sums = 1;
 
+// Strips whose lines are put in order together: 4 MB of them.
+constexpr std::size_t most_at_once = std::size_t{1} << 16;
+
 // The mean of clamp(p, 0, 1) where p goes straight from one end to the other.
 double mean_clamped(double p, double q) {
   const double low = std::min(p, q), high = std::max(p, q);
@@ -30,7 +33,10 @@ struct Strips::Strip {
 
 Strips::Strips(const View& view, const Texels& texels, const Surroundings& surroundings)
     : view_(view), texels_(texels), surroundings_(surroundings), sums_(nullptr) {
-  if (texels.wrap() != moire::Wrap::clamp) sums_ = view_.lines_along_s() ? &texels.rows() : &texels.columns();
+  if (texels.wrap() == moire::Wrap::clamp) return;
+  sums_ = view_.lines_along_s() ? &texels.rows() : &texels.columns();
+  origin_ = static_cast<double>(moire::wrapped(view_.place0().whole, sums_->period(), moire::Wrap::repeat));
+  per_period_ = 1.0 / sums_->period();
 }
 
 template <class Visit>
@@ -108,7 +114,8 @@ bool Strips::takes_sums(const LevelView::Row& row) const {
   return sums_ && std::abs(view_.b()) >= fewest_for_sums * view_.fall(row.k1);
 }
 
-void Strips::add_edge(const Strip& strip, double u, LineSums::Node& integral) const {
+LineSums::Node Strips::edge(const Strip& strip, double u) const {
+  LineSums::Node integral{};
   const double rest = view_.place0().rest, c = view_.b() * u;
   const double from = rest + c * strip.inverse0, to = rest + c * strip.inverse1;
   const double first = std::floor(from), last = std::floor(to);
@@ -116,9 +123,10 @@ void Strips::add_edge(const Strip& strip, double u, LineSums::Node& integral) co
   // Nodes of the line's F, from the one below `from` on. There is one more than its period has.
   const LineSums::Node* nodes = sums_->line(strip.line);
   const int period = sums_->period();
-  const double place = first + static_cast<double>(moire::wrapped(view_.place0().whole, period, moire::Wrap::repeat));
-  int at = static_cast<int>(place - period * std::floor(place / period));
-  if (at >= period) at -= period;
+  const double place = first + origin_;
+  // Rounding may bring a multiple of the period out one period off.
+  int at = static_cast<int>(place - period * std::floor(place * per_period_));
+  at += at < 0 ? period : at >= period ? -period : 0;
 
   const auto add = [&](const LineSums::Node& node, double weight) {
     integral.r += weight * node.r;
@@ -136,7 +144,7 @@ void Strips::add_edge(const Strip& strip, double u, LineSums::Node& integral) co
     const double w1 = strip.fall0 * (from - first) + strip.fall1 * (to - first);
     add(nodes[at], (strip.k1 - strip.k0) * w0);
     add(nodes[at + 1], (strip.k1 - strip.k0) * w1);
-    return;
+    return integral;
   }
   // X goes towards `rest` as W grows.
   const bool falls = c > 0;
@@ -165,17 +173,35 @@ void Strips::add_edge(const Strip& strip, double u, LineSums::Node& integral) co
     k = next;
   }
   add_end(to, last, (strip.k1 - k) * strip.fall1);
+  return integral;
 }
 
 void Strips::add_by_sums(const LevelView::Row& row, int x0, std::vector<moire::Tally::Sum>& pixels) const {
   std::vector<LineSums::Node> edges(pixels.size() + 1);
   LineSums::Node means{};
+  const auto add = [](LineSums::Node& sum, double weight, const LineSums::Node& node) {
+    sum = {sum.r + weight * node.r, sum.g + weight * node.g, sum.b + weight * node.b, 0};
+  };
+  // Strips that show the same line of texels one after another, while its sums are at hand.
+  std::vector<Strip> strips;
+  const auto repetition = static_cast<std::size_t>(sums_->repetition());
+  const auto settle = [&] {
+    for (std::size_t first = 0; first < std::min(repetition, strips.size()); ++first) {
+      for (std::size_t k = first; k < strips.size(); k += repetition) {
+        const Strip& strip = strips[k];
+        add(means, strip.k1 - strip.k0, sums_->mean(strip.line));
+        for (std::size_t x = 0; x < edges.size(); ++x) {
+          add(edges[x], 1, edge(strip, view_.u(x0 + static_cast<int>(x))));
+        }
+      }
+    }
+    strips.clear();
+  };
   for_each_strip(row, false, [&](const Strip& strip) {
-    const LineSums::Node& mean = sums_->mean(strip.line);
-    const double height = strip.k1 - strip.k0;
-    means = {means.r + height * mean.r, means.g + height * mean.g, means.b + height * mean.b, 0};
-    for (std::size_t x = 0; x < edges.size(); ++x) add_edge(strip, view_.u(x0 + static_cast<int>(x)), edges[x]);
+    strips.push_back(strip);
+    if (strips.size() == most_at_once) settle();
   });
+  settle();
   // Of the trapezoids, and of W / b.
   const double factor = 0.5 / view_.b();
   for (std::size_t x = 0; x < pixels.size(); ++x) {

@@ -42,13 +42,15 @@ class Strips {
   // Adds the colours of a row's near part to the sums of its pixels.
   void add_by_sums(const LevelView::Row& row, int x0, std::vector<moire::Tally::Sum>& pixels) const;
   void add_by_texels(const LevelView::Row& row, int x0, std::vector<moire::Tally::Sum>& pixels) const;
-  // Adds to `integral` that of (W / b) F(X) over the strip at u pixels from the middle.
-  void add_edge(const Strip& strip, double u, LineSums::Node& integral) const;
+  // Twice the integral of W F(X) over the strip at u pixels from the middle.
+  LineSums::Node edge(const Strip& strip, double u) const;
 
   LevelView view_;
   const Texels& texels_;
   Surroundings surroundings_;
-  const LineSums* sums_;  // null where clamped
+  const LineSums* sums_;   // null where clamped
+  double origin_ = 0;      // where on the first period of a line's sums the camera is, its whole part
+  double per_period_ = 0;  // 1 / period
 };
 
 }  // namespace textured_plane
