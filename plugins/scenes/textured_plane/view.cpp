@@ -30,14 +30,15 @@ double beyond_quarters(double degrees) { return std::remainder(degrees, 90); }
 Turn turn_of(double degrees) {
   int quarters = 0;
   const double rest = std::remquo(degrees, 90, &quarters) * (std::numbers::pi / 180);
-  const double c = std::cos(rest), s = std::sin(rest);
+  // No zero is negative: quotients by it have a sign.
+  const double c = std::cos(rest), s = std::sin(rest) + 0.0;
   switch (quarters & 3) {
     case 0:
       return {c, s};
     case 1:
-      return {-s, c};
+      return {0.0 - s, c};
     case 2:
-      return {-c, -s};
+      return {-c, 0.0 - s};
     default:
       return {s, -c};
   }

@@ -171,12 +171,12 @@ TEST_CASE("the checkerboard's cells are elements of the size asked for, its far 
 }
 
 TEST_CASE("texels too far off to have names are refused") {
-  CHECK(
-      message_of([] {
-        frame_of({{"far", 1e9}, {"cell", 1.0}, {"view.pitch_deg", 0.0}});
-      }) ==
-      "textured_plane: ground is seen 1e+09 texels from the texture's corner; texels have names up to 268435455: give "
-      "a smaller far, or larger texels");
+  CHECK(message_of([] {
+          frame_of({{"far", 1e9}, {"cell", 1.0}, {"view.pitch_deg", 0.0}});
+        }) ==
+        "textured_plane: ground is seen 1.4e+09 texels from the texture's corner; texels have names up to 268435455: "
+        "give "
+        "a smaller far, or larger texels");
   CHECK(message_of([] { frame_of({{"far", 1e9}, {"cell", 16.0}, {"view.pitch_deg", 0.0}}); }) == "(no error)");
   CHECK(
       message_of([] {
