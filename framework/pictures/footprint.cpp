@@ -64,7 +64,7 @@ class FootprintInPlan final : public Footprint {
     for (std::vector<Element>* elements : {&seen_, &visible_}) {
       std::sort(elements->begin(), elements->end());
       elements->erase(std::unique(elements->begin(), elements->end()), elements->end());
-      std::erase(*elements, background);
+      std::erase_if(*elements, [](Element e) { return texel_index(e).level < 0; });
     }
   }
 

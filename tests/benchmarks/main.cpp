@@ -8,6 +8,7 @@
 #include "interleaved.h"
 #include "packet.h"
 #include "patterns.h"
+#include "plane.h"
 #include "sampling/lookups.h"
 #include "terrain_truth.h"
 #include "terrain_views.h"
@@ -195,7 +196,7 @@ void run_terrain(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-// `moire_benchmarks` runs all; `drawings`, `patterns`, `terrain` or `truth` behind it, that part alone.
+// `moire_benchmarks` runs all; the name of a part behind it, that part alone.
 int main(int argc, char** argv) {
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
@@ -206,6 +207,7 @@ int main(int argc, char** argv) {
   const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
   if (is_wanted("drawings")) benchmark::run_drawings(catalog);
   if (is_wanted("patterns")) benchmark::run_patterns(catalog);
+  if (is_wanted("plane")) benchmark::textured_plane(catalog);
   if (is_wanted("terrain")) benchmark::run_terrain(catalog);
   if (is_wanted("truth")) benchmark::terrain_truth(catalog);
 }
