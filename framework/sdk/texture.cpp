@@ -3,11 +3,16 @@
 #include <mutex>
 #include <optional>
 
+#include <moire/error.h>
+
+#include "sdk/images_module.h"
+
 namespace moire {
 
 struct Texture::Lazy {
-  std::once_flag once;
+  std::once_flag once, oiio_once;
   std::optional<Pyramid> pyramid;
+  std::unique_ptr<OiioTexture> oiio;
 };
 
 Texture::Texture(std::vector<Level> levels, Wrap wrap)
@@ -19,6 +24,15 @@ const Pyramid& Texture::pyramid() const {
     lazy_->pyramid.emplace(finest.rgb, finest.stride, finest.width, finest.height);
   });
   return *lazy_->pyramid;
+}
+
+const OiioTexture& Texture::oiio() const {
+  std::call_once(lazy_->oiio_once, [this] {
+    std::string problem;
+    lazy_->oiio.reset(images_module().make_texture(pyramid(), wrap_, problem));
+    if (!lazy_->oiio) throw Error(problem);
+  });
+  return *lazy_->oiio;
 }
 
 }  // namespace moire

@@ -6,6 +6,7 @@
 
 #include "drawings.h"
 #include "interleaved.h"
+#include "lookups.h"
 #include "packet.h"
 #include "sampling/lookups.h"
 #include "terrain_truth.h"
@@ -194,7 +195,7 @@ void run_terrain(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-// `moire_benchmarks` runs all; `drawings`, `terrain` or `truth` behind it, that part alone.
+// `moire_benchmarks` runs all; `drawings`, `lookups`, `terrain` or `truth` behind it, that part alone.
 int main(int argc, char** argv) {
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
@@ -205,5 +206,6 @@ int main(int argc, char** argv) {
   const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
   if (is_wanted("drawings")) benchmark::run_drawings(catalog);
   if (is_wanted("terrain")) benchmark::run_terrain(catalog);
+  if (is_wanted("lookups")) benchmark::run_lookups();
   if (is_wanted("truth")) benchmark::terrain_truth(catalog);
 }
