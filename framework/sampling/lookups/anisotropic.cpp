@@ -42,7 +42,8 @@ class Anisotropic final : public Lookup {
                std::size_t slot) const override {
     if (deposit_nowhere(point, weight, tally, slot)) return;
     const Row row = row_of(point, probes_);
-    const PyramidReader reader(texture, mip_level(row.width_squared, bias_, texture.pyramid().levels() - 1));
+    const Pyramid& pyramid = texture.pyramid();
+    const PyramidReader reader(pyramid, texture.wrap(), mip_level(row.width_squared, bias_, pyramid.levels() - 1));
     const auto for_each_place = [&](auto visit) {
       for (int k = 0; k < row.count; ++k) {
         const double along = (k + 0.5) / row.count - 0.5;

@@ -38,8 +38,9 @@ class Mipmap final : public Lookup {
   void deposit(const SurfacePoint& point, const Texture& texture, double weight, Tally& tally,
                std::size_t slot) const override {
     if (deposit_nowhere(point, weight, tally, slot)) return;
-    const double level = mip_level(side_of(point, side_), bias_, texture.pyramid().levels() - 1);
-    const PyramidReader reader(texture, level, across_, within_);
+    const Pyramid& pyramid = texture.pyramid();
+    const double level = mip_level(side_of(point, side_), bias_, pyramid.levels() - 1);
+    const PyramidReader reader(pyramid, texture.wrap(), level, across_, within_);
     deposit_read(reader.at(point.s, point.t), weight, texture, tally, slot,
                  [&](BaseTexels& names) { reader.name(point.s, point.t, 1, names); });
   }

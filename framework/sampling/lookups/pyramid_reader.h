@@ -1,7 +1,6 @@
 // Reading a pyramid at one level of detail: within a level and between two.
 #pragma once
 
-#include <array>
 #include <cstring>
 #include <limits>
 
@@ -27,10 +26,9 @@ enum class Across { two, nearest };
 // a level by the true ratio of their sizes.
 class PyramidReader {
  public:
-  // Requires: `level` in 0 .. the coarsest; `texture` outlives the reader.
-  PyramidReader(const Texture& texture, double level, Across across = Across::two, Within within = Within::bilinear)
-      : texture_(texture), within_(within) {
-    const Pyramid& pyramid = texture.pyramid();
+  // Requires: `level` in 0 .. the coarsest; `pyramid` outlives the reader.
+  PyramidReader(const Pyramid& pyramid, Wrap wrap, double level, Across across = Across::two, Within within = Within::bilinear)
+      : columns_(pyramid.level(0).width, wrap), rows_(pyramid.level(0).height, wrap), within_(within) {
     const auto fine = static_cast<int>(across == Across::two ? level : level + 0.5);
     fine_ = {&pyramid.level(fine), fine};
     fraction_ = across == Across::two ? static_cast<float>(level - fine) : 0;
@@ -39,14 +37,14 @@ class PyramidReader {
 
   // Requires: (s, t) is finite.
   Rgb at(double s, double t) const {
-    const auto [column, row] = folded(s, t);
-    const Rgb fine = read(fine_, column.folded(), row.folded());
-    return fraction_ > 0 ? between(fine, read(coarse_, column.folded(), row.folded()), fraction_) : fine;
+    const double column = Fold(s, columns_).folded(), row = Fold(t, rows_).folded();
+    const Rgb fine = read(*fine_.level, column, row);
+    return fraction_ > 0 ? between(fine, read(*coarse_.level, column, row), fraction_) : fine;
   }
 
   // The texels that at() reads there, with their shares times `share`.
   void name(double s, double t, double share, BaseTexels& names) const {
-    const auto [column, row] = folded(s, t);
+    const Fold column(s, columns_), row(t, rows_);
     name(fine_, column, row, share * (1 - static_cast<double>(fraction_)), names);
     name(coarse_, column, row, share * static_cast<double>(fraction_), names);
   }
@@ -62,11 +60,6 @@ class PyramidReader {
     float fraction;
   };
 
-  std::array<Fold, 2> folded(double s, double t) const {
-    const Texture::Level& base = texture_.level(0);
-    return {Fold(s, base.width, texture_.wrap()), Fold(t, base.height, texture_.wrap())};
-  }
-
   static Rgb texel(const Pyramid::Level& level, std::size_t row, std::size_t column) {
     Rgb rgb;
     std::memcpy(&rgb, level.rgba.data() + 4 * (row * static_cast<std::size_t>(level.width) + column), sizeof rgb);
@@ -77,7 +70,7 @@ class PyramidReader {
   Pair pair(double folded, double scale, int size) const {
     const Between place(folded * scale);
     const std::int64_t last = size - 1;
-    const bool repeats = texture_.wrap() == Wrap::repeat;
+    const bool repeats = columns_.wrap == Wrap::repeat;
     const std::int64_t before = repeats ? last : 0, behind = repeats ? 0 : last;
     return {static_cast<std::size_t>(place.first < 0 ? before : place.first),
             static_cast<std::size_t>(place.first >= last ? behind : place.first + 1),
@@ -87,8 +80,7 @@ class PyramidReader {
     return std::min<std::int64_t>(texel_at(folded * scale), size - 1);
   }
 
-  Rgb read(const Read& read, double s, double t) const {
-    const Pyramid::Level& level = *read.level;
+  Rgb read(const Pyramid::Level& level, double s, double t) const {
     if (within_ == Within::nearest) {
       return texel(level, static_cast<std::size_t>(nearest(t, level.t_scale, level.height)),
                    static_cast<std::size_t>(nearest(s, level.s_scale, level.width)));
@@ -115,7 +107,7 @@ class PyramidReader {
     names.add(read.number, s, column.first + 1, t, row.first + 1, share * right * lower);
   }
 
-  const Texture& texture_;
+  Fold::Axis columns_, rows_;
   Read fine_, coarse_;
   float fraction_;
   Within within_;
