@@ -15,8 +15,8 @@ namespace {
 // So many reads, evenly spaced over the longer derivative.
 struct Row {
   int count = 1;
-  double width_squared;               // of one read, texels of level 0
-  double s_length = 0, t_length = 0;  // the derivative
+  double width_squared;  // of one read, texels of level 0
+  Pair length{};         // the derivative
 };
 
 Row row_of(const SurfacePoint& point, int most) {
@@ -26,7 +26,7 @@ Row row_of(const SurfacePoint& point, int most) {
   const double longer = std::sqrt(sides.longer()), shorter = std::sqrt(sides.shorter());
   const double width = std::max({shorter, longer / most, 1.0});
   const int count = std::clamp(static_cast<int>(std::ceil(longer / width)), 1, most);
-  return {count, width * width, is_across ? point.ds_dx : point.ds_dy, is_across ? point.dt_dx : point.dt_dy};
+  return {count, width * width, is_across ? Pair{point.ds_dx, point.dt_dx} : Pair{point.ds_dy, point.dt_dy}};
 }
 
 class Anisotropic final : public Lookup {
@@ -44,23 +44,13 @@ class Anisotropic final : public Lookup {
     const Row row = row_of(point, probes_);
     const Pyramid& pyramid = texture.pyramid();
     const PyramidReader reader(pyramid, texture.wrap(), mip_level(row.width_squared, bias_, pyramid.levels() - 1));
-    const auto for_each_place = [&](auto visit) {
-      for (int k = 0; k < row.count; ++k) {
-        const double along = (k + 0.5) / row.count - 0.5;
-        visit(point.s + along * row.s_length, point.t + along * row.t_length);
-      }
-    };
-    // As differences from the middle, so that equal colours stay themselves, bit for bit.
-    Rgb first{}, sum{};
-    bool is_first = true;
-    for_each_place([&](double s, double t) {
-      const Rgb read = reader.at(s, t);
-      if (is_first) first = read;
-      is_first = false;
-      sum += read - first;
-    });
+    const auto place = [&](int k) { return Pair{point.s, point.t} + ((k + 0.5) / row.count - 0.5) * row.length; };
+    // As differences from the first, so that equal colours stay themselves, bit for bit.
+    const Rgb first = reader.at(place(0));
+    Rgb sum{};
+    for (int k = 1; k < row.count; ++k) sum += reader.at(place(k)) - first;
     deposit_read(first + sum / static_cast<float>(row.count), weight, texture, tally, slot, [&](BaseTexels& names) {
-      for_each_place([&](double s, double t) { reader.name(s, t, 1.0 / row.count, names); });
+      for (int k = 0; k < row.count; ++k) reader.name(place(k), 1.0 / row.count, names);
     });
   }
 

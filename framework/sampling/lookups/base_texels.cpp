@@ -21,7 +21,7 @@ void for_each_covered(std::int64_t i, std::int64_t size, std::int64_t level_size
 
 }  // namespace
 
-void BaseTexels::add(int level, const Fold& s, std::int64_t i, const Fold& t, std::int64_t j, double share) {
+void BaseTexels::add(int level, const Fold& place, std::int64_t i, std::int64_t j, double share) {
   if (share == 0) return;
   const Pyramid::Level &base = pyramid_.level(0), &own = pyramid_.level(level);
   // Beyond a border that stretches its texels, a level repeats its own, which are averages of what lies within.
@@ -33,13 +33,14 @@ void BaseTexels::add(int level, const Fold& s, std::int64_t i, const Fold& t, st
   if (texels > most * own.width * own.height) {
     const std::int64_t column = wrapped(i, own.width, texture_.wrap()), row = wrapped(j, own.height, texture_.wrap());
     const float* c = own.rgba.data() + 4 * (row * own.width + column);
-    texels_.push_back(
-        {texel_element(level, s.unfolded(i, own.width), t.unfolded(j, own.height)), share, {c[0], c[1], c[2]}});
+    texels_.push_back({texel_element(level, place.unfolded(0, i, own.width), place.unfolded(1, j, own.height)),
+                       share,
+                       {c[0], c[1], c[2]}});
     return;
   }
   for_each_covered(j, base.height, own.height, [&](std::int64_t row, double part_of_rows) {
     for_each_covered(i, base.width, own.width, [&](std::int64_t column, double part_of_columns) {
-      const Hit hit = texture_.texel(0, s.unfolded(column, base.width), t.unfolded(row, base.height));
+      const Hit hit = texture_.texel(0, place.unfolded(0, column, base.width), place.unfolded(1, row, base.height));
       texels_.push_back({hit.element, share * part_of_rows * part_of_columns, hit.color});
     });
   });

@@ -18,9 +18,9 @@ class BaseTexels {
 
   explicit BaseTexels(const Texture& texture) : texture_(texture), pyramid_(texture.pyramid()) {}
 
-  // (i, j): a texel of `level` of the texture into which s and t fold the place, or its neighbour across the border.
+  // (i, j): a texel of `level` of the texture into which the place is folded, or its neighbour across the border.
   // Shares of 0 are left out.
-  void add(int level, const Fold& s, std::int64_t i, const Fold& t, std::int64_t j, double share);
+  void add(int level, const Fold& place, std::int64_t i, std::int64_t j, double share);
 
   // Calls visit(element, share, colour), once for every element, in their order.
   template <class Visit>

@@ -41,8 +41,9 @@ class Mipmap final : public Lookup {
     const Pyramid& pyramid = texture.pyramid();
     const double level = mip_level(side_of(point, side_), bias_, pyramid.levels() - 1);
     const PyramidReader reader(pyramid, texture.wrap(), level, across_, within_);
-    deposit_read(reader.at(point.s, point.t), weight, texture, tally, slot,
-                 [&](BaseTexels& names) { reader.name(point.s, point.t, 1, names); });
+    const Pair place{point.s, point.t};
+    deposit_read(reader.at(place), weight, texture, tally, slot,
+                 [&](BaseTexels& names) { reader.name(place, 1, names); });
   }
 
  private:

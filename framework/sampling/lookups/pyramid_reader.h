@@ -8,7 +8,6 @@
 
 #include "sampling/lookups/base_texels.h"
 #include "sampling/lookups/fold.h"
-#include "sampling/lookups/interpolation.h"
 
 namespace moire {
 
@@ -22,31 +21,32 @@ inline Rgb between(Rgb a, Rgb b, float fraction) { return a + fraction * (b - a)
 enum class Within { bilinear, nearest };
 enum class Across { two, nearest };
 
-// The levels of Texture::pyramid(), of which one or two are read. Coordinates are those of level 0, and become those of
-// a level by the true ratio of their sizes.
+// The levels of a pyramid, of which one or two are read. Places are those of level 0, and become those of a level by
+// the true ratio of their sizes.
 class PyramidReader {
  public:
   // Requires: `level` in 0 .. the coarsest; `pyramid` outlives the reader.
-  PyramidReader(const Pyramid& pyramid, Wrap wrap, double level, Across across = Across::two, Within within = Within::bilinear)
-      : columns_(pyramid.level(0).width, wrap), rows_(pyramid.level(0).height, wrap), within_(within) {
+  PyramidReader(const Pyramid& pyramid, Wrap wrap, double level, Across across = Across::two,
+                Within within = Within::bilinear)
+      : period_(pyramid.level(0).width, pyramid.level(0).height, wrap), within_(within) {
     const auto fine = static_cast<int>(across == Across::two ? level : level + 0.5);
     fine_ = {&pyramid.level(fine), fine};
     fraction_ = across == Across::two ? static_cast<float>(level - fine) : 0;
     coarse_ = fraction_ > 0 ? Read{&pyramid.level(fine + 1), fine + 1} : fine_;
   }
 
-  // Requires: (s, t) is finite.
-  Rgb at(double s, double t) const {
-    const double column = Fold(s, columns_).folded(), row = Fold(t, rows_).folded();
-    const Rgb fine = read(*fine_.level, column, row);
-    return fraction_ > 0 ? between(fine, read(*coarse_.level, column, row), fraction_) : fine;
+  // Requires: the place is finite.
+  Rgb at(Pair place) const {
+    const Pair folded = Fold(place, period_).folded();
+    const Rgb fine = read(*fine_.level, folded);
+    return fraction_ > 0 ? between(fine, read(*coarse_.level, folded), fraction_) : fine;
   }
 
   // The texels that at() reads there, with their shares times `share`.
-  void name(double s, double t, double share, BaseTexels& names) const {
-    const Fold column(s, columns_), row(t, rows_);
-    name(fine_, column, row, share * (1 - static_cast<double>(fraction_)), names);
-    name(coarse_, column, row, share * static_cast<double>(fraction_), names);
+  void name(Pair place, double share, BaseTexels& names) const {
+    const Fold fold(place, period_);
+    name(fine_, fold, share * (1 - static_cast<double>(fraction_)), names);
+    name(coarse_, fold, share * static_cast<double>(fraction_), names);
   }
 
  private:
@@ -54,60 +54,64 @@ class PyramidReader {
     const Pyramid::Level* level;
     int number;
   };
-  // Two texels that stand side by side as their places go on, and how far between their middles it is.
-  struct Pair {
-    std::size_t first, second;
-    float fraction;
+  // The upper left of four texels, and how far between their middles the place is.
+  struct Cell {
+    Pair first, fraction;
+
+    Cell(const Pyramid::Level& level, Pair folded) {
+      const Pair place = folded * Pair{level.s_scale, level.t_scale} - 0.5;
+      first = floor_of(place);
+      fraction = place - first;
+    }
   };
 
-  static Rgb texel(const Pyramid::Level& level, std::size_t row, std::size_t column) {
+  static Pair nearest(const Pyramid::Level& level, Pair folded) {
+    const Pair texel = floor_of(folded * Pair{level.s_scale, level.t_scale});
+    const Pair last{level.width - 1.0, level.height - 1.0};
+    return texel < last ? texel : last;
+  }
+
+  // `row`: the index of its first texel.
+  static Rgb texel(const Pyramid::Level& level, int row, int column) {
     Rgb rgb;
-    std::memcpy(&rgb, level.rgba.data() + 4 * (row * static_cast<std::size_t>(level.width) + column), sizeof rgb);
+    std::memcpy(&rgb, level.rgba.data() + 4 * (static_cast<std::ptrdiff_t>(row) + column), sizeof rgb);
     return rgb;
   }
 
-  // Of `size` texels, across the border the texel that the wrap puts there.
-  Pair pair(double folded, double scale, int size) const {
-    const Between place(folded * scale);
-    const std::int64_t last = size - 1;
-    const bool repeats = columns_.wrap == Wrap::repeat;
-    const std::int64_t before = repeats ? last : 0, behind = repeats ? 0 : last;
-    return {static_cast<std::size_t>(place.first < 0 ? before : place.first),
-            static_cast<std::size_t>(place.first >= last ? behind : place.first + 1),
-            static_cast<float>(place.fraction)};
-  }
-  static std::int64_t nearest(double folded, double scale, int size) {
-    return std::min<std::int64_t>(texel_at(folded * scale), size - 1);
-  }
-
-  Rgb read(const Pyramid::Level& level, double s, double t) const {
+  Rgb read(const Pyramid::Level& level, Pair folded) const {
     if (within_ == Within::nearest) {
-      return texel(level, static_cast<std::size_t>(nearest(t, level.t_scale, level.height)),
-                   static_cast<std::size_t>(nearest(s, level.s_scale, level.width)));
+      const Pair place = nearest(level, folded);
+      return texel(level, static_cast<int>(place[1]) * level.width, static_cast<int>(place[0]));
     }
-    const Pair column = pair(s, level.s_scale, level.width), row = pair(t, level.t_scale, level.height);
-    return between(
-        between(texel(level, row.first, column.first), texel(level, row.first, column.second), column.fraction),
-        between(texel(level, row.second, column.first), texel(level, row.second, column.second), column.fraction),
-        row.fraction);
+    const Cell cell(level, folded);
+    // Across the border lies what the wrap puts there.
+    const bool repeats = period_.wrap == Wrap::repeat;
+    const int right = level.width - 1, bottom = level.height - 1;
+    const auto i = static_cast<int>(cell.first[0]), j = static_cast<int>(cell.first[1]);
+    const int left_column = i >= 0 ? i : repeats ? right : 0, right_column = i < right ? i + 1 : repeats ? 0 : right;
+    const int upper_row = (j >= 0 ? j : repeats ? bottom : 0) * level.width;
+    const int lower_row = (j < bottom ? j + 1 : repeats ? 0 : bottom) * level.width;
+    const auto across = static_cast<float>(cell.fraction[0]), down = static_cast<float>(cell.fraction[1]);
+    return between(between(texel(level, upper_row, left_column), texel(level, upper_row, right_column), across),
+                   between(texel(level, lower_row, left_column), texel(level, lower_row, right_column), across), down);
   }
 
-  void name(const Read& read, const Fold& s, const Fold& t, double share, BaseTexels& names) const {
-    const Pyramid::Level& level = *read.level;
+  void name(const Read& read, const Fold& fold, double share, BaseTexels& names) const {
     if (within_ == Within::nearest) {
-      names.add(read.number, s, nearest(s.folded(), level.s_scale, level.width), t,
-                nearest(t.folded(), level.t_scale, level.height), share);
+      const Pair place = nearest(*read.level, fold.folded());
+      names.add(read.number, fold, static_cast<std::int64_t>(place[0]), static_cast<std::int64_t>(place[1]), share);
       return;
     }
-    const Between column(s.folded() * level.s_scale), row(t.folded() * level.t_scale);
-    const double right = static_cast<float>(column.fraction), lower = static_cast<float>(row.fraction);
-    names.add(read.number, s, column.first, t, row.first, share * (1 - right) * (1 - lower));
-    names.add(read.number, s, column.first + 1, t, row.first, share * right * (1 - lower));
-    names.add(read.number, s, column.first, t, row.first + 1, share * (1 - right) * lower);
-    names.add(read.number, s, column.first + 1, t, row.first + 1, share * right * lower);
+    const Cell cell(*read.level, fold.folded());
+    const auto i = static_cast<std::int64_t>(cell.first[0]), j = static_cast<std::int64_t>(cell.first[1]);
+    const double right = static_cast<float>(cell.fraction[0]), lower = static_cast<float>(cell.fraction[1]);
+    names.add(read.number, fold, i, j, share * (1 - right) * (1 - lower));
+    names.add(read.number, fold, i + 1, j, share * right * (1 - lower));
+    names.add(read.number, fold, i, j + 1, share * (1 - right) * lower);
+    names.add(read.number, fold, i + 1, j + 1, share * right * lower);
   }
 
-  Fold::Axis columns_, rows_;
+  Fold::Period period_;
   Read fine_, coarse_;
   float fraction_;
   Within within_;
