@@ -25,7 +25,7 @@ Row row_of(const SurfacePoint& point, int most) {
   const bool is_across = sides.across > sides.down;
   const double longer = std::sqrt(sides.longer()), shorter = std::sqrt(sides.shorter());
   const double width = std::max({shorter, longer / most, 1.0});
-  const int count = std::clamp(static_cast<int>(std::ceil(longer / width)), 1, most);
+  const int count = std::clamp(static_cast<int>(std::round(longer / width)), 1, most);
   return {count, width * width, is_across ? Pair{point.ds_dx, point.dt_dx} : Pair{point.ds_dy, point.dt_dy}};
 }
 
