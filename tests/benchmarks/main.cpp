@@ -6,6 +6,7 @@
 
 #include "drawings.h"
 #include "interleaved.h"
+#include "lookups.h"
 #include "packet.h"
 #include "patterns.h"
 #include "plane.h"
@@ -209,5 +210,6 @@ int main(int argc, char** argv) {
   if (is_wanted("patterns")) benchmark::run_patterns(catalog);
   if (is_wanted("plane")) benchmark::textured_plane(catalog);
   if (is_wanted("terrain")) benchmark::run_terrain(catalog);
+  if (is_wanted("lookups")) benchmark::run_lookups();
   if (is_wanted("truth")) benchmark::terrain_truth(catalog);
 }
