@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "adaptive.h"
 #include "drawings.h"
+#include "filters.h"
 #include "interleaved.h"
 #include "packet.h"
 #include "sampling/lookups.h"
@@ -194,7 +196,7 @@ void run_terrain(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-// `moire_benchmarks` runs all; `drawings`, `terrain` or `truth` behind it, that part alone.
+// `moire_benchmarks` runs all; `adaptive`, `drawings`, `filters`, `terrain` or `truth` behind it, that part alone.
 int main(int argc, char** argv) {
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
@@ -203,6 +205,8 @@ int main(int argc, char** argv) {
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
   const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
+  if (is_wanted("adaptive")) benchmark::run_adaptive(catalog);
+  if (is_wanted("filters")) benchmark::run_filters(catalog);
   if (is_wanted("drawings")) benchmark::run_drawings(catalog);
   if (is_wanted("terrain")) benchmark::run_terrain(catalog);
   if (is_wanted("truth")) benchmark::terrain_truth(catalog);
