@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "adaptive.h"
 #include "drawings.h"
+#include "filters.h"
 #include "interleaved.h"
 #include "lookups.h"
 #include "packet.h"
@@ -206,6 +208,8 @@ int main(int argc, char** argv) {
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
   const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
+  if (is_wanted("adaptive")) benchmark::run_adaptive(catalog);
+  if (is_wanted("filters")) benchmark::run_filters(catalog);
   if (is_wanted("drawings")) benchmark::run_drawings(catalog);
   if (is_wanted("patterns")) benchmark::run_patterns(catalog);
   if (is_wanted("plane")) benchmark::textured_plane(catalog);
