@@ -14,7 +14,7 @@ namespace moire {
 // scene shows it, so that coverage counts it as hidden.
 class BaseTexels {
  public:
-  static constexpr std::int64_t most = 256;
+  static constexpr std::int64_t most = 64;
 
   explicit BaseTexels(const Texture& texture) : texture_(texture), pyramid_(texture.pyramid()) {}
 

@@ -65,11 +65,15 @@ void for_each_pair(Check check) {
     const Frame& frame = *frames.emplace_back(made.scene->frame(made.settings, size));
     for (const Plugin* plugin : catalog().all(Kind::sampler)) {
       for (const Settings& settings : variants(plugin->parameters())) {
-        if (!has(answered, plugin->sampler->asks(settings))) continue;
+        const Questions asked = plugin->sampler->asks(settings);
+        if (!has(answered, asked)) continue;
         const auto sampler = make_sampler(*plugin->sampler, settings);
         for (const NamedSummary& lookup : lookups()) {
           const auto made_lookup = make_lookup(lookup.name);
-          if (made_lookup && !has(answered, Questions::surface)) continue;
+          // Who sees whole polygons looks nothing up.
+          if (made_lookup && (!has(answered, Questions::surface) || has(asked, Questions::polygons))) continue;
+          // Those that filter footprints have many fragments each, and are the same to all settings of a sampler.
+          if (!lookup.parameters.empty() && settings != Settings(plugin->parameters())) continue;
           CAPTURE(made.plugin->name, plugin->name, lookup.name, settings.values());
           check(*sampler, *plugin, frame, made_lookup.get());
         }
