@@ -69,11 +69,22 @@ class Waves final : public PatternFrame<Waves>, private moire::Spectrum {
       const double amplitude = wave.amplitude * transfer(filter, wave.fx) * transfer(filter, wave.fy);
       left.push_back({amplitude * std::cos(wave.phase), amplitude * std::sin(wave.phase)});
     }
-    std::vector<double> greys(static_cast<std::size_t>(block.height));
-    int column = block.x0 - 1;
+    const auto height = static_cast<std::size_t>(block.height);
+    std::vector<double> greys(block.slots(), mean_);  // column by column
+    const auto column = [&](int x) {
+      return std::span(greys).subspan(static_cast<std::size_t>(x - block.x0) * height, height);
+    };
+    // Four waves at once, so that sums are read and written less often; all columns of these, whose table of rows
+    // then stays at hand.
+    std::size_t k = 0;
+    for (; k + 4 <= waves_.size(); k += 4) {
+      for (int x = block.x0; x < block.x0 + block.width; ++x) add_waves<4>(k, x, block.y0, left, column(x));
+    }
+    for (; k < waves_.size(); ++k) {
+      for (int x = block.x0; x < block.x0 + block.width; ++x) add_waves<1>(k, x, block.y0, left, column(x));
+    }
     fill(block, [&](int x, int y, auto deposit) {
-      if (x != column) sum_column(column = x, block.y0, left, greys);
-      deposit(part(0), 1, look().greys.mix(greys[static_cast<std::size_t>(y - block.y0)]));
+      deposit(part(0), 1, look().greys.mix(column(x)[static_cast<std::size_t>(y - block.y0)]));
     });
     return 0;
   }
@@ -84,13 +95,7 @@ class Waves final : public PatternFrame<Waves>, private moire::Spectrum {
     return angle == 0 ? 1 : std::sin(angle) / angle;
   }
 
-  // Of column x, from row y0 on. Four waves at once, to read and write the sums less often.
-  void sum_column(int x, int y0, std::span<const moire::Point> left, std::span<double> greys) const {
-    std::fill(greys.begin(), greys.end(), mean_);
-    std::size_t k = 0;
-    for (; k + 4 <= waves_.size(); k += 4) add_waves<4>(k, x, y0, left, greys);
-    for (; k < waves_.size(); ++k) add_waves<1>(k, x, y0, left, greys);
-  }
+  // Adds waves first .. first + count - 1 to the greys of column x, from row y0 on.
   template <std::size_t count>
   void add_waves(std::size_t first, int x, int y0, std::span<const moire::Point> left, std::span<double> greys) const {
     std::array<const double*, count> cosines, sines;
