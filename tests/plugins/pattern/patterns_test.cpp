@@ -63,6 +63,23 @@ TEST_CASE("every pixel of every pattern is full, and its recorded fragments make
   }
 }
 
+TEST_CASE("every pattern has the same bits in blocks of any shape, on any threads, recorded or not") {
+  std::vector<Example> all = examples();
+  all.push_back({"sinusoids", {{"kind", std::string("sinusoids")}}, {}});
+  for (const char* kind : {"edge", "disk", "blob"})
+    all.push_back({"tiles", {{"kind", std::string(kind)}, {"tile", std::int64_t{3}}}, {}});
+  const auto integral = sampler("integral");
+  for (const Example& example : all) {
+    CAPTURE(example.name);
+    const MadePattern made = made_pattern(example.changes, size);
+    const Rendered image = rendered(*integral, *made.frame);
+    for (const Manner& manner :
+         {Manner{.threads = 2, .block_width = 7}, Manner{.recording = false, .order = Blocks::rows},
+          Manner{.block_width = 5, .order = Blocks::rows}})
+      CHECK(first_difference(image, rendered(*integral, *made.frame, nullptr, manner)) == "");
+  }
+}
+
 TEST_CASE("a pixel holds what its quarters hold, as an image of twice the size shows them") {
   for (const Example& example : examples()) {
     CAPTURE(example.name);

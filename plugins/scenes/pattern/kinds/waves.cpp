@@ -2,6 +2,7 @@
 #include <array>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 
 #include "frame.h"
 #include "kinds/kinds.h"
@@ -11,16 +12,17 @@ namespace pattern {
 
 namespace {
 
-// The waves along one axis, by wave and then by pixel's middle: the real and imaginary part of e^(2 pi i f x).
+// The waves along one axis, by wave and then by pixel: the real and imaginary part of e^(2 pi i f x), x the distance
+// of a pixel's middle from the axis' origin, `first` that of the first.
 class Table {
  public:
-  Table(std::span<const double> frequencies, int pixels) : pixels_(static_cast<std::size_t>(pixels)) {
+  Table(std::span<const double> frequencies, double first, int pixels) : pixels_(static_cast<std::size_t>(pixels)) {
     cosines_.reserve(frequencies.size() * pixels_);
     sines_.reserve(frequencies.size() * pixels_);
     for (const double f : frequencies) {
       for (int k = 0; k < pixels; ++k) {
-        cosines_.push_back(cosine(f * (k + 0.5)));
-        sines_.push_back(cosine(f * (k + 0.5) - 0.25));
+        cosines_.push_back(cosine(f * (first + k)));
+        sines_.push_back(cosine(f * (first + k) - 0.25));
       }
     }
   }
@@ -56,43 +58,65 @@ class Waves final : public PatternFrame<Waves>, private moire::Spectrum {
   }
 
  private:
-  // The value in the pixel's middle, times what the filter leaves of each wave.
+  // The value in the pixel's middle, times what the filter leaves of each wave. About the image's middle row every wave
+  // is the sum of an even and an odd function of y, and rows that lie opposite share both.
   double integrate(const moire::Filter* filter, moire::PixelBlock& block) const override {
-    std::call_once(once_, [this] {
-      std::vector<double> fx, fy;
-      for (const moire::Sinusoid& wave : waves_) fx.push_back(wave.fx), fy.push_back(wave.fy);
-      columns_.emplace(fx, look().size.width);
-      rows_.emplace(fy, look().size.height);
-    });
-    std::vector<moire::Point> left;  // of each wave: the factors of the real and of the imaginary part
-    for (const moire::Sinusoid& wave : waves_) {
-      const double amplitude = wave.amplitude * transfer(filter, wave.fx) * transfer(filter, wave.fy);
-      left.push_back({amplitude * std::cos(wave.phase), amplitude * std::sin(wave.phase)});
-    }
-    std::vector<double> greys(static_cast<std::size_t>(block.height));
-    int column = block.x0 - 1;
+    std::call_once(once_, [this] { make_tables(); });
+    const std::vector<moire::Point> left = left_by(filter);
+    const int last = look().size.height - 1;
+    const auto folded = [last](int y) { return std::min(y, last - y); };
+    // The rows of the upper half that the block needs: its own, or those opposite.
+    const int bottom = block.y0 + block.height - 1, y0 = std::min(folded(block.y0), folded(bottom));
+    const bool meets_middle = block.y0 <= last / 2 && bottom >= last / 2;
+    const int y1 = meets_middle ? last / 2 : std::max(folded(block.y0), folded(bottom));
+    const auto rows = static_cast<std::size_t>(y1 - y0 + 1);
+    std::vector<double> even(static_cast<std::size_t>(block.width) * rows, mean_), odd(even.size(), 0);  // by column
+    const auto first_of = [&](int x) { return static_cast<std::size_t>(x - block.x0) * rows; };
+    // Four waves at once, so that sums are read and written less often; all columns of these, whose table of rows
+    // then stays at hand.
+    const auto add = [&]<std::size_t count>(std::size_t wave, std::integral_constant<std::size_t, count>) {
+      for (int x = block.x0; x < block.x0 + block.width; ++x)
+        add_waves<count>(wave, left, x, y0, rows, &even[first_of(x)], &odd[first_of(x)]);
+    };
+    std::size_t k = 0;
+    for (; k + 4 <= waves_.size(); k += 4) add(k, std::integral_constant<std::size_t, 4>());
+    for (; k < waves_.size(); ++k) add(k, std::integral_constant<std::size_t, 1>());
     fill(block, [&](int x, int y, auto deposit) {
-      if (x != column) sum_column(column = x, block.y0, left, greys);
-      deposit(part(0), 1, look().greys.mix(greys[static_cast<std::size_t>(y - block.y0)]));
+      const std::size_t place = first_of(x) + static_cast<std::size_t>(folded(y) - y0);
+      const double grey = y <= last / 2 ? even[place] + odd[place] : even[place] - odd[place];
+      deposit(part(0), 1, look().greys.mix(grey));
     });
     return 0;
   }
 
+  void make_tables() const {
+    std::vector<double> fx, fy;
+    for (const moire::Sinusoid& wave : waves_) fx.push_back(wave.fx), fy.push_back(wave.fy);
+    const moire::ImageSize size = look().size;
+    columns_.emplace(fx, 0.5, size.width);
+    rows_.emplace(fy, 0.5 - 0.5 * size.height, (size.height + 1) / 2);
+  }
+
+  // Of each wave, in the middle of the left border: its amplitude under the filter, times e^(i phase).
+  std::vector<moire::Point> left_by(const moire::Filter* filter) const {
+    std::vector<moire::Point> left;
+    for (const moire::Sinusoid& wave : waves_) {
+      const double amplitude = wave.amplitude * transfer(filter, wave.fx) * transfer(filter, wave.fy);
+      const double phase = wave.phase + std::numbers::pi * wave.fy * look().size.height;
+      left.push_back({amplitude * std::cos(phase), amplitude * std::sin(phase)});
+    }
+    return left;
+  }
   static double transfer(const moire::Filter* filter, double frequency) {
     if (filter) return filter->transfer(frequency);
     const double angle = std::numbers::pi * frequency;
     return angle == 0 ? 1 : std::sin(angle) / angle;
   }
 
-  // Of column x, from row y0 on. Four waves at once, to read and write the sums less often.
-  void sum_column(int x, int y0, std::span<const moire::Point> left, std::span<double> greys) const {
-    std::fill(greys.begin(), greys.end(), mean_);
-    std::size_t k = 0;
-    for (; k + 4 <= waves_.size(); k += 4) add_waves<4>(k, x, y0, left, greys);
-    for (; k < waves_.size(); ++k) add_waves<1>(k, x, y0, left, greys);
-  }
+  // Adds waves first .. first + count - 1 to the sums of column x from row y0 on.
   template <std::size_t count>
-  void add_waves(std::size_t first, int x, int y0, std::span<const moire::Point> left, std::span<double> greys) const {
+  void add_waves(std::size_t first, std::span<const moire::Point> left, int x, int y0, std::size_t rows, double* even,
+                 double* odd) const {
     std::array<const double*, count> cosines, sines;
     std::array<double, count> real, imaginary;
     for (std::size_t k = 0; k < count; ++k) {
@@ -101,11 +125,16 @@ class Waves final : public PatternFrame<Waves>, private moire::Spectrum {
       real[k] = w.x * c - w.y * s, imaginary[k] = w.x * s + w.y * c;
       cosines[k] = rows_->cosines(first + k, y0), sines[k] = rows_->sines(first + k, y0);
     }
-    for (std::size_t y = 0; y < greys.size(); ++y) {
-      double sum = greys[y];
-      for (std::size_t k = 0; k < count; ++k) sum += real[k] * cosines[k][y] - imaginary[k] * sines[k][y];
-      greys[y] = sum;
-    }
+    const auto add = [rows](double* sums, const auto& tables, const auto& factors) {
+      for (std::size_t y = 0; y < rows; ++y) {
+        double sum = sums[y];
+        for (std::size_t k = 0; k < count; ++k) sum += factors[k] * tables[k][y];
+        sums[y] = sum;
+      }
+    };
+    add(even, cosines, real);
+    for (double& factor : imaginary) factor = -factor;
+    add(odd, sines, imaginary);
   }
 
   double mean_;

@@ -8,6 +8,7 @@
 #include <moire/geometry.h>
 
 #include "weights/piecewise.h"
+#include "weights/quadrature.h"
 
 namespace pattern {
 
@@ -26,12 +27,19 @@ class Window {
   double at(double x) const { return filter_.at(x); }
   // The integral of at() up to x.
   double below(double x) const;
-  // From -radius() to radius(): places between which at() is smooth, and few enough to be a polynomial's piece.
+  // From -radius() to radius(): places between which at() is smooth, and nearly a polynomial.
   std::span<const double> breaks() const { return breaks_; }
 
-  // The integral of f(x) at(x - middle) over x in `parts` parts between breaks, of no more than `length` pixels.
+  // The integral of f(x) at(x - middle) over x, in parts shorter than `length` pixels.
   template <class F>
-  auto average(F f, double middle, double length) const;
+  auto average(F f, double middle, double length) const {
+    decltype(f(middle)) sum = 0;
+    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+      const double from = breaks_[k], to = breaks_[k + 1];
+      sum += integral([&](double t) { return f(middle + t) * at(t); }, from, to, parts_of(from, to, length));
+    }
+    return sum;
+  }
 
   // Of the window about (0, 0): the integral of below(x) at(y) dy along the straight line from p to q. Around a
   // polygon, the sum is the polygon's weight (Green), positive if it turns from x to y.
@@ -46,21 +54,5 @@ class Window {
   std::vector<double> breaks_;
   Piecewise below_;
 };
-
-}  // namespace pattern
-
-#include "weights/quadrature.h"
-
-namespace pattern {
-
-template <class F>
-auto Window::average(F f, double middle, double length) const {
-  decltype(f(middle)) sum = 0;
-  for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-    const double from = breaks_[k], to = breaks_[k + 1];
-    sum += integral([&](double t) { return f(middle + t) * at(t); }, from, to, parts_of(from, to, length));
-  }
-  return sum;
-}
 
 }  // namespace pattern
