@@ -33,7 +33,7 @@ class Bench {
     scene_ = plugin->scene->make(settings);
     frame_ = scene_->frame(settings, size);
     exact_ = render_picture(*contender(catalog, "area", {{"method", std::string("exact")}}), *frame_, 0, 1, one_);
-    for (const std::int64_t n : {2, 3, 4, 6, 8, 12, 16, 24, 32}) uniform_.push_back(spent("jittered", {{"n", n}}));
+    for (const std::int64_t n : {2, 3, 4, 6, 8, 12, 16, 24}) uniform_.push_back(spent("jittered", {{"n", n}}));
   }
 
   Spent spent(const std::string& type, const Changes& changes) const {
