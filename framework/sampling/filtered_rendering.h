@@ -43,6 +43,7 @@ class FilteredRendering final : public Rendering {
   void render(PixelBlock& block) const override;
 
  private:
+  struct Pixels;
   class Column;
 
   const PointSampler& sampler_;

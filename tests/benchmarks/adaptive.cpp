@@ -14,9 +14,6 @@ namespace {
 
 using Changes = std::vector<std::pair<std::string, Value>>;
 
-constexpr ImageSize size{256, 256};
-constexpr double pixels = size.width * size.height;
-
 struct Spent {
   double samples;  // a pixel
   double error;    // RMSE of linear light, full scale 1
@@ -26,32 +23,33 @@ struct Spent {
 // A drawing with its exact picture.
 class Bench {
  public:
-  Bench(const Catalog& catalog, const std::string& file) : catalog_(catalog) {
+  // `uniform`: sides of the jittered grids between which savings are looked up.
+  Bench(const Catalog& catalog, const std::string& file, int side, const std::vector<std::int64_t>& uniform)
+      : catalog_(catalog), size_{side, side} {
     const Plugin* plugin = catalog.find(Kind::scene, "cartoon");
     Settings settings(plugin->parameters());
     settings.set("file", file);
     scene_ = plugin->scene->make(settings);
-    frame_ = scene_->frame(settings, size);
+    frame_ = scene_->frame(settings, size_);
     exact_ = render_picture(*contender(catalog, "area", {{"method", std::string("exact")}}), *frame_, 0, 1, one_);
-    for (const std::int64_t n : {2, 3, 4, 6, 8, 12, 16, 24, 32}) uniform_.push_back(spent("jittered", {{"n", n}}));
+    for (const std::int64_t n : uniform) uniform_.push_back(spent("jittered", {{"n", n}}));
   }
 
   Spent spent(const std::string& type, const Changes& changes) const {
     const auto made = contender(catalog_, type, changes);
-    Spent result{};
-    const auto t = interleaved({{type,
-                                 [&] {
-                                   std::vector<Counters> blocks(one_.blocks(size));
-                                   one_.render(*made->begin(*frame_, 1), *frame_, false,
-                                               [&](std::size_t k, const PixelBlock& b) { blocks[k] = b.counters; });
-                                   Counters all;
-                                   for (const Counters& block : blocks) all += block;
-                                   result.samples = static_cast<double>(all.queries) / pixels;
-                                 }}},
-                               1);
-    result.ms = t[0].median();
-    result.error = root_mean_square(differences(render_picture(*made, *frame_, 0, 1, one_), exact_, Space::linear)) /
-                   levels_of_full_scale;
+    const auto pixels = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
+    Picture picture{size_, std::vector<Color>(pixels)};
+    std::vector<Counters> blocks(one_.blocks(size_));
+    const double ms = once([&] {
+      one_.render(*made->begin(*frame_, 1), *frame_, false, [&](std::size_t k, const PixelBlock& block) {
+        blocks[k] = block.counters;
+        put(block, picture);
+      });
+    });
+    Counters all;
+    for (const Counters& block : blocks) all += block;
+    const double error = root_mean_square(differences(picture, exact_, Space::linear)) / levels_of_full_scale;
+    const Spent result{static_cast<double>(all.queries) / static_cast<double>(pixels), error, ms};
     return result;
   }
 
@@ -74,6 +72,7 @@ class Bench {
   }
 
   const Catalog& catalog_;
+  const ImageSize size_;
   const Workers one_{1};
   std::unique_ptr<Scene> scene_;
   std::unique_ptr<Frame> frame_;
@@ -84,15 +83,24 @@ class Bench {
 }  // namespace
 
 void run_adaptive(const Catalog& catalog) {
-  fmt::print("Adaptive sampling, {} x {} pixels: samples a pixel, RMSE (0 .. 1), samples that jitter needs for it.\n",
-             size.width, size.height);
-  for (const auto& [name, file] : {std::pair<const char*, std::string>{"cartoon, >= 30 x at .0015", ""},
-                                   {"thin features, >= 10 x from quarters of a pixel", MOIRE_THIN_FEATURES}}) {
-    fmt::print("  {}\n", name);
-    const Bench bench(catalog, file);
+  struct Drawing {
+    const char* name;
+    std::string file;
+    int side;
+    std::vector<std::int64_t> uniform;
+  };
+  const Drawing drawings[] = {
+      {"cartoon, >= 30 x at .0015", "", 1024, {2, 4, 8, 16}},
+      {"cartoon, small", "", 256, {2, 4, 8, 16, 24}},
+      {"thin features, >= 10 x from quarters of a pixel", MOIRE_THIN_FEATURES, 256, {2, 4, 8, 16, 24}}};
+  fmt::print("Adaptive sampling: samples a pixel, RMSE (0 .. 1), samples and time that jitter needs for it.\n");
+  for (const auto& [name, file, side, uniform] : drawings) {
+    fmt::print("  {}, {} x {} pixels\n", name, side, side);
+    const Bench bench(catalog, file, side, uniform);
+    bench.print("grid 16 x 16", "supersample", {{"n", std::int64_t{16}}, {"layout", std::string("grid")}});
     bench.print("jittered 4 x 4", "jittered", {});
     bench.print("jittered 16 x 16", "jittered", {{"n", std::int64_t{16}}});
-    for (const std::int64_t depth : {2, 4, 5}) {
+    for (const std::int64_t depth : {2, 4, 5, 6}) {
       for (const char* first : {"1", "2", "4"}) {
         const std::string caption = fmt::format("corners, depth {}, first lattice 1/{} pixel", depth, first);
         bench.print(caption.c_str(), "adaptive", {{"depth", depth}, {"first", std::string(first)}});

@@ -32,6 +32,12 @@ std::vector<Timing> interleaved(const std::vector<Work>& works, int rounds, Cloc
   return timings;
 }
 
+double once(const std::function<void()>& work) {
+  const double start = milliseconds(Clock::thread);
+  work();
+  return milliseconds(Clock::thread) - start;
+}
+
 Ratio ratio(const Timing& a, const Timing& b) {
   std::vector<double> ratios;
   for (std::size_t k = 0; k < a.ms.size(); ++k) ratios.push_back(a.ms[k] / b.ms[k]);

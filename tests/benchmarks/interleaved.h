@@ -24,6 +24,9 @@ enum class Clock { thread, wall };
 // A warm-up, then `rounds` rounds in which every piece runs once; who begins changes from round to round.
 std::vector<Timing> interleaved(const std::vector<Work>& works, int rounds, Clock clock = Clock::thread);
 
+// Milliseconds of the calling thread, for work too long to be run again.
+double once(const std::function<void()>& work);
+
 // The median over rounds of a's time over b's, and the quartiles of that ratio.
 struct Ratio {
   double median, low, high;
