@@ -44,14 +44,6 @@ const std::string& chosen(const Choice& choice, std::string_view key) {
   return none;
 }
 
-// Whether a row is one of the plugin's own, a choice of lookup or filter, or of the lookup or filter chosen.
-bool has_effect(const Choice& choice, std::size_t row) {
-  if (row < options_begin(choice)) return true;
-  const std::string_view name = choice.table[row].name, group = name.substr(0, name.find('.'));
-  return group.size() == name.size() || group == chosen(choice, format::lookup_key) ||
-         group == chosen(choice, format::filter_key);
-}
-
 // The rows from `begin` on that have an effect.
 std::pair<std::vector<Parameter>, Cells> with_effect(const Choice& choice, std::size_t begin) {
   std::pair<std::vector<Parameter>, Cells> result;
@@ -121,6 +113,15 @@ void refuse_unknown_lookup(const Choice& choice, const ChoiceContext& context) {
                                            choice.plugin->name, listed(known)));
 }
 
+// Such a key is not unknown, it is in the wrong place.
+void refuse_filter(const JsonNode& entry, const std::string& path, const Plugin& plugin, Problems& problems) {
+  const JsonNode* filter = entry.find(format::filter_key);
+  if (filter == nullptr) return;
+  problems.add(filter->place, member_path(path, format::filter_key),
+               fmt::format("is {}, but \"{}\" weighs pixels itself and takes no filter; remove this", shown(*filter),
+                           plugin.name));
+}
+
 // Nothing after adding a problem; empty if there is no label.
 std::optional<std::string> read_label(const JsonNode& entry, const std::string& path, Problems& problems) {
   const JsonNode* label = entry.find("label");
@@ -140,6 +141,13 @@ bool read_flag(const JsonNode& entry, const std::string& path, const Parameter& 
 }
 
 }  // namespace
+
+bool has_effect(const Choice& choice, std::size_t row) {
+  if (row < options_begin(choice)) return true;
+  const std::string_view name = choice.table[row].name, group = name.substr(0, name.find('.'));
+  return group.size() == name.size() || group == chosen(choice, format::lookup_key) ||
+         group == chosen(choice, format::filter_key);
+}
 
 const JsonNode* entry_type(const JsonNode& entry, const std::string& path, std::string_view noun, Problems& problems) {
   if (entry.is(JsonKind::broken)) return nullptr;
@@ -174,6 +182,11 @@ std::vector<Choice> read_entry(const JsonNode& entry, const std::string& path, K
   std::vector<std::string_view> other_keys{"label", "type", "use"};
   const bool is_contender = kind == Kind::sampler && takes_grids;
   if (is_contender) other_keys.insert(other_keys.end(), {format::if_installed.name, format::if_it_fits.name});
+  const bool takes_no_filter = kind == Kind::sampler && !format::takes_filters(*plugin->sampler);
+  if (takes_no_filter) {
+    refuse_filter(entry, path, *plugin, context.reading.problems);
+    other_keys.push_back(format::filter_key);
+  }
   const auto label = read_label(entry, path, context.reading.problems);
   const auto combinations = read_settings(entry, path, {plugin->name, table, other_keys, takes_grids}, context.reading);
   if (!label) return {};

@@ -22,6 +22,9 @@ struct Choice {
   bool if_it_fits = false;  // of a sampler
 };
 
+// Whether a row is one of the plugin's own, a choice of lookup or filter, or of the lookup or filter chosen.
+bool has_effect(const Choice& choice, std::size_t row);
+
 // What entries are read with.
 struct ChoiceContext {
   const Vocabulary& vocabulary;

@@ -36,6 +36,7 @@ Differences differences(std::span<const Choice> choices) {
 }
 
 bool is_shown(const Choice& choice, std::size_t row, const Differences& differing) {
+  if (!has_effect(choice, row)) return false;
   if (!choice.label.empty()) return choice.cells[row].is_of_grid;
   return differing.at(choice.plugin)[row] || choice.cells[row].value != default_cell(choice.table[row]).value;
 }

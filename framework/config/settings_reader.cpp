@@ -86,12 +86,12 @@ class SettingsReader {
     std::vector<std::string_view> known = keys(prefix), meant = known;
     const std::string_view group = std::string_view(prefix).substr(0, prefix.empty() ? 0 : prefix.size() - 1);
     if (prefix.empty()) {
-      meant.insert(meant.end(), owner_.other_keys.begin(), owner_.other_keys.end());
-      // The type is there already, `use` has been followed, and whether it is installed is known.
-      std::copy_if(
-          owner_.other_keys.begin(), owner_.other_keys.end(), std::back_inserter(known), [](std::string_view key) {
-            return key != "type" && key != "use" && key != format::if_installed.name && key != format::if_it_fits.name;
-          });
+      for (const std::string_view key : owner_.other_keys) {
+        // Where a filter is no row of the table there is none to be chosen.
+        if (key != format::filter_key) meant.push_back(key);
+        // The type is there already, `use` has been followed, and whether it is installed is known.
+        if (key == "label") known.push_back(key);
+      }
     }
     const std::string hint = did_you_mean(member.key, meant);
     const std::string takes = known.empty() ? "no parameters" : listed(known);

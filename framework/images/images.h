@@ -1,4 +1,4 @@
-// What the module moire_images exports: two functions that the SDK finds by name when the first image is touched. No
+// What the module moire_images exports: functions that the SDK finds by name when the first image is touched. No
 // exception leaves them; `problem` is the message of one, or stays empty.
 #pragma once
 

@@ -20,6 +20,12 @@ struct Quantity {
   bool is_main = false;   // among the few numbers that a summary shows; where none is, the pass's first
 };
 
+// A chart that a pass draws, a line for each contender; both axes are logarithmic.
+struct CurveDescription {
+  std::string_view name;  // "spectrum.error_power"
+  std::string_view title, x_axis, y_axis;
+};
+
 // What a pass is run over.
 struct Extent {
   ImageSize image;
@@ -31,7 +37,8 @@ struct PassDescription {
   std::string_view summary;  // one sentence
   std::string_view source;   // paper and section, or empty
   std::span<const Parameter> parameters;
-  std::span<const Quantity> quantities = {};     // of a metric
+  std::span<const Quantity> quantities = {};  // of a metric
+  std::span<const CurveDescription> curves = {};
   std::span<const std::string_view> basis = {};  // passes that must be there too: it works on their rows
   // What a scene must answer for this pass, beside what its samplers ask.
   Questions (*asks)(const Settings&) = [](const Settings&) { return Questions::none; };

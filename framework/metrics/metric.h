@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <moire/sampler.h>
+
 #include "metrics/description.h"
 #include "metrics/merged.h"
 #include "metrics/picture.h"
@@ -34,16 +36,30 @@ struct Map {
   std::vector<double> values;
 };
 
+// A line of a chart: numbers y at x, both above 0.
+struct Curve {
+  std::string_view kind;  // CurveDescription::name
+  std::vector<Point> points;
+};
+
 struct Judged {
   const Picture& picture;
   const Picture& reference;
-  const Counters& counters;  // of the whole image
+  const Counters& counters;              // of the whole image
+  const Frame* frame = nullptr;          // that was rendered
+  const PointSampler* points = nullptr;  // the contender, if it is a pattern of points
+  std::uint64_t seed = 0;                // of `picture`
+  // The same frame by the same contender with independent random numbers, at least as many as replicates() asks for;
+  // none if it draws none.
+  std::span<const Picture> replicates = {};
 };
 
 class Metric {
  public:
   virtual ~Metric() = default;
   virtual Against against() const { return Against::nothing; }
+  // Pictures wanted with other random numbers.
+  virtual std::size_t replicates() const { return 0; }
   virtual void begin(ImageSize) {}
   // A block of whole image columns with its exact content. Called for many blocks at once, for every pixel once.
   // Requires: against() asks for fragments.
@@ -51,6 +67,7 @@ class Metric {
   virtual std::vector<Measurement> finish(const Judged& judged) = 0;
   // After finish.
   virtual std::vector<Map> maps() const { return {}; }
+  virtual std::vector<Curve> curves() const { return {}; }
 };
 
 }  // namespace moire

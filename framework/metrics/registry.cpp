@@ -9,10 +9,14 @@ std::span<const RegisteredMetric> registered_metrics() {
   static constexpr std::array entries{
       RegisteredMetric{.description = &error_description, .make = make_error},
       RegisteredMetric{.description = &coverage_description, .make = make_coverage},
+      RegisteredMetric{.description = &spectrum_description, .make = make_spectrum},
+      RegisteredMetric{.description = &points_description, .make = make_points},
+      RegisteredMetric{.description = &convergence_description, .make = make_convergence, .is_analysis = true},
       RegisteredMetric{.description = &flicker_description, .make_temporal = make_flicker},
       RegisteredMetric{.description = &energy_description, .make_temporal = make_energy},
       RegisteredMetric{.description = &speed_description},
       RegisteredMetric{.description = &cost_description, .is_analysis = true},
+      RegisteredMetric{.description = &budget_description, .is_analysis = true},
   };
   return entries;
 }

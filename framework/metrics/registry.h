@@ -15,7 +15,7 @@ struct RegisteredMetric {
   std::unique_ptr<Metric> (*make)(const Settings&) = nullptr;
   std::unique_ptr<TemporalMetric> (*make_temporal)(const Settings&, ImageSize) = nullptr;
 
-  bool is_analysis = false;  // works on the rows of others, after the last scene
+  bool is_analysis = false;  // works on rows, after the last scene: on those of others unless it makes its own
 
   bool is_timing() const { return !make && !make_temporal && !is_analysis; }
 };
@@ -25,10 +25,14 @@ std::span<const PassDescription* const> metric_descriptions();
 // Requires: a name of one of them.
 const RegisteredMetric& registered_metric(std::string_view name);
 
-extern const PassDescription error_description, coverage_description, flicker_description, energy_description,
-    speed_description, cost_description;
+extern const PassDescription error_description, coverage_description, spectrum_description, points_description,
+    convergence_description, flicker_description, energy_description, speed_description, cost_description,
+    budget_description;
 std::unique_ptr<Metric> make_error(const Settings& settings);
 std::unique_ptr<Metric> make_coverage(const Settings& settings);
+std::unique_ptr<Metric> make_spectrum(const Settings& settings);
+std::unique_ptr<Metric> make_points(const Settings& settings);
+std::unique_ptr<Metric> make_convergence(const Settings& settings);
 std::unique_ptr<TemporalMetric> make_flicker(const Settings& settings, ImageSize image);
 std::unique_ptr<TemporalMetric> make_energy(const Settings& settings, ImageSize image);
 

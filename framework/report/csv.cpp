@@ -32,8 +32,20 @@ std::string csv_text(const Results& results) {
   return text;
 }
 
+std::string curves_csv_text(const Results& results) {
+  std::string text = "scene,sampler,curve,x,y\r\n";
+  for (const CurveResult& curve : results.curves) {
+    for (const auto& [x, y] : curve.points) {
+      text += fmt::format("{},{},{},{},{}\r\n", field(curve.scene), field(curve.sampler), field(curve.kind),
+                          exact_text(x), exact_text(y));
+    }
+  }
+  return text;
+}
+
 void write_csv(const std::filesystem::path& folder, const Results& results) {
   write_whole_file(folder / "results.csv", csv_text(results));
+  if (!results.curves.empty()) write_whole_file(folder / "curves.csv", curves_csv_text(results));
 }
 
 }  // namespace moire::report

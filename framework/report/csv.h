@@ -12,7 +12,10 @@ namespace moire::report {
 // empty where there is no interval.
 std::string csv_text(const Results& results);
 
-// Writes results.csv into the folder. Error: it cannot be written.
+// The columns scene,sampler,curve,x,y.
+std::string curves_csv_text(const Results& results);
+
+// Writes results.csv, and curves.csv if there are any, into the folder. Error: it cannot be written.
 void write_csv(const std::filesystem::path& folder, const Results& results);
 
 }  // namespace moire::report

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "files/whole_file.h"
+#include "report/curve_chart.h"
 #include "report/flattened.h"
 #include "report/html_histogram.h"
 #include "report/html_pictures.h"
@@ -155,6 +156,25 @@ Markup speed_against_error(const SceneView& view) {
          tag("figure", {{"class", "chart"}}, scatter_chart(view.chart) + tag("figcaption", {{"class", "note"}}, note));
 }
 
+// A chart for each kind of curve that the scene has.
+Markup curves(const Results& results, const std::string& scene) {
+  std::vector<const CurveResult*> kinds;
+  for (const CurveResult& curve : results.curves) {
+    const bool is_new = std::none_of(kinds.begin(), kinds.end(), [&](const auto* k) { return k->kind == curve.kind; });
+    if (curve.scene == scene && is_new) kinds.push_back(&curve);
+  }
+  Markup out;
+  for (const CurveResult* kind : kinds) {
+    std::vector<ChartCurve> lines;
+    for (const CurveResult& curve : results.curves) {
+      if (curve.scene == scene && curve.kind == kind->kind) lines.push_back({curve.sampler, curve.points});
+    }
+    out += tag("h3", kind->title) +
+           tag("figure", {{"class", "chart"}}, curve_chart(kind->title, kind->x_axis, kind->y_axis, lines));
+  }
+  return out;
+}
+
 Markup numbers(const Results& results, const SceneView& view) {
   if (view.table.columns.empty()) return {};
   return tag("h3", "Numbers") + metric_tables(results, view.table) +
@@ -175,8 +195,8 @@ Markup scene_section(const ReportData& data, std::size_t index) {
   if (has_images(view))
     content += side_by_side(data, view) + magnified(data, view) + one_over_the_other(data, view, index);
   for (const PictureRow& row : view.other_rows) content += picture_row(data, row);
-  content += speed_against_error(view) + change_histogram(data.results, view.table, view.scene.name) +
-             numbers(data.results, view);
+  content += speed_against_error(view) + curves(data.results, view.scene.name) +
+             change_histogram(data.results, view.table, view.scene.name) + numbers(data.results, view);
   content += details("Scene: " + view.scene.type + " " + view.scene.version,
                      tag("p", view.scene.summary) + name_value_table("Settings", flattened(view.scene.settings)));
   return section(scene_anchor(index), view.scene.name, content);

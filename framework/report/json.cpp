@@ -82,6 +82,16 @@ void members(auto& file, Either<Failure> auto& failure) {
   file.field("message", failure.message);
 }
 
+void members(auto& file, Either<CurveResult> auto& curve) {
+  file.field("scene", curve.scene);
+  file.field("sampler", curve.sampler);
+  file.field("kind", curve.kind);
+  file.field("title", curve.title);
+  file.field("x_axis", curve.x_axis);
+  file.field("y_axis", curve.y_axis);
+  file.field("points", curve.points);
+}
+
 void members(auto& file, Either<Analysis> auto& analysis) {
   file.field("title", analysis.title);
   file.field("statements", analysis.statements);
@@ -100,6 +110,7 @@ void members(auto& file, Either<Results> auto& results) {
   file.list("rows", results.rows);
   file.list("images", results.images);
   file.list("analyses", results.analyses);
+  file.list("curves", results.curves);
   file.field("jobs", results.jobs);
 }
 

@@ -7,33 +7,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "report/chart_frame.h"
 #include "report/label_placement.h"
-#include "report/log_axis.h"
 #include "report/numbers.h"
 
 namespace moire::report {
 namespace {
 
-constexpr double width = 960, height = 520;
 constexpr Rectangle plot{64, 40, 936, 456};
-constexpr double label_height = 16;
-
-// A safe guess at the width of 13 px text in any sans-serif font.
-double text_width(const std::string& text) { return 7.4 * static_cast<double>(text.size()) + 4; }
-
-Markup line(const char* kind, Point a, Point b) {
-  return tag("line",
-             {{"class", kind},
-              {"x1", coordinate(a.x)},
-              {"y1", coordinate(a.y)},
-              {"x2", coordinate(b.x)},
-              {"y2", coordinate(b.y)}},
-             "");
-}
-
-Markup text(const char* kind, Point at, const std::string& content) {
-  return tag("text", {{"class", kind}, {"x", coordinate(at.x)}, {"y", coordinate(at.y)}}, content);
-}
 
 class Drawing {
  public:
@@ -50,9 +31,8 @@ class Drawing {
   }
 
   Markup svg() const {
-    const std::string box = fmt::format("0 0 {} {}", width, height);
-    return tag("svg", {{"class", "chart"}, {"viewBox", box}, {"role", "img"}, {"aria-label", chart_.title}},
-               axes() + floor() + front() + marks() + labels());
+    return chart_sheet(chart_.title,
+                       chart_axes(plot, x_, y_, chart_.x_axis, chart_.y_axis) + floor() + front() + marks() + labels());
   }
 
  private:
@@ -60,23 +40,6 @@ class Drawing {
   double told(double y) const { return y < chart_.floor ? chart_.floor : y; }
   bool is_on_floor(const ChartPoint& p) const { return chart_.floor > 0 && p.y <= chart_.floor; }
   Point place(const ChartPoint& p) const { return {x_.place(p.x), y_.place(told(p.y))}; }
-
-  Markup axes() const {
-    Markup out;
-    for (double tick : x_.ticks()) {
-      const double x = x_.place(tick);
-      out += line("grid", {x, plot.y0}, {x, plot.y1}) + text("tick x", {x, plot.y1 + 20}, fmt::format("{:g}", tick));
-    }
-    for (double tick : y_.ticks()) {
-      const double y = y_.place(tick);
-      out +=
-          line("grid", {plot.x0, y}, {plot.x1, y}) + text("tick y", {plot.x0 - 10, y + 4}, fmt::format("{:g}", tick));
-    }
-    out += line("axis", {plot.x0, plot.y1}, {plot.x1, plot.y1});
-    out += text("title y", {0, 18}, "\u2191 " + chart_.y_axis) +
-           text("title x", {plot.x1, height - 14}, chart_.x_axis + " \u2192");
-    return out;
-  }
 
   Markup floor() const {
     if (!(chart_.floor > y_.low)) return {};
@@ -88,7 +51,7 @@ class Drawing {
                 {"width", coordinate(plot.x1 - plot.x0)},
                 {"height", coordinate(plot.y1 - y)}},
                "") +
-           text("floor", {plot.x1 - 8, plot.y1 - 8}, chart_.floor_label);
+           svg_text("floor", {plot.x1 - 8, plot.y1 - 8}, chart_.floor_label);
   }
 
   // The corners of the front from left to right: at each point's cost one gets its error, until the next.
@@ -121,9 +84,9 @@ class Drawing {
       const std::string remark = is_on_floor(p) ? fmt::format(" ({})", chart_.floor_label) : "";
       Markup mark = tag("title", fmt::format("{}: {} {}, {} {}{}", p.label, chart_.x_axis, readable_text(p.x),
                                              chart_.y_axis, readable_text(p.y), remark));
-      if (p.x_low < p.x_high) mark += line("interval", {x_.place(p.x_low), at.y}, {x_.place(p.x_high), at.y});
+      if (p.x_low < p.x_high) mark += svg_line("interval", {x_.place(p.x_low), at.y}, {x_.place(p.x_high), at.y});
       if (told(p.y_low) < told(p.y_high))
-        mark += line("interval", {at.x, y_.place(told(p.y_low))}, {at.x, y_.place(told(p.y_high))});
+        mark += svg_line("interval", {at.x, y_.place(told(p.y_low))}, {at.x, y_.place(told(p.y_high))});
       mark += tag("circle", {{"cx", coordinate(at.x)}, {"cy", coordinate(at.y)}, {"r", "5"}}, "");
       out += tag(
           "g", {{"class", fmt::format("point{}{}", is_front_[i] ? "" : " dominated", is_on_floor(p) ? " below" : "")}},
@@ -143,7 +106,7 @@ class Drawing {
       texts.push_back(p.y == 0 && !is_on_floor(p) ? p.label + " (0)" : p.label);
       wishes.push_back({place(p), text_width(texts.back())});
     }
-    const auto placed = place_labels(wishes, label_height, plot, obstacles());
+    const auto placed = place_labels(wishes, chart_label_height, plot, obstacles());
     Markup leaders, out;
     for (std::size_t i = 0; i < placed.size(); ++i) {
       if (placed[i].needs_leader) leaders += leader(placed[i].box, wishes[i].point);
@@ -153,7 +116,8 @@ class Drawing {
   }
 
   static Markup leader(const Rectangle& box, Point point) {
-    return line("leader", point, {std::clamp(point.x, box.x0, box.x1), std::clamp(point.y, box.y0 + 3, box.y1 - 3)});
+    return svg_line("leader", point,
+                    {std::clamp(point.x, box.x0, box.x1), std::clamp(point.y, box.y0 + 3, box.y1 - 3)});
   }
 
   // The text ends at the side that faces its point, so that a wrong guess at its width shows at the far side only.
@@ -173,7 +137,8 @@ class Drawing {
     const auto corners = front_corners();
     std::vector<Rectangle> lines;
     if (chart_.floor > y_.low) {
-      lines.push_back({plot.x1 - 8 - text_width(chart_.floor_label), plot.y1 - 8 - label_height, plot.x1, plot.y1});
+      lines.push_back(
+          {plot.x1 - 8 - text_width(chart_.floor_label), plot.y1 - 8 - chart_label_height, plot.x1, plot.y1});
     }
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const Point &a = corners[i - 1], &b = corners[i];

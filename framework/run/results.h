@@ -64,6 +64,14 @@ struct Analysis {
   std::vector<std::string> statements;
 };
 
+// A line of a chart of one scene. Both axes are logarithmic.
+struct CurveResult {
+  std::string scene, sampler;
+  std::string kind;  // "spectrum.error_power"
+  std::string title, x_axis, y_axis;
+  std::vector<std::array<double, 2>> points;
+};
+
 // What a metric means; the fields of a pass's Quantity.
 struct Explanation {
   std::string metric, unit, meaning;
@@ -82,6 +90,7 @@ struct Results {
   std::vector<Failure> failures;
   std::vector<Explanation> metrics;
   std::vector<Analysis> analyses;
+  std::vector<CurveResult> curves;
   bool interrupted = false;
   std::map<std::string, std::string> jobs;  // "scene/sampler" to the job's key
   nlohmann::ordered_json manifest;          // versions, hashes, machine, date, command

@@ -4,11 +4,41 @@
 
 #include "sampling/options.h"
 
-#include "sampling/options.h"
-
 namespace moire {
 
 namespace {
+
+using namespace parameter;
+
+constexpr Parameter bias(std::string_view name) {
+  return real(name, 0, -16, 16, "levels", "added to the level: below 0 is sharper and aliases more");
+}
+constexpr Parameter footprint(std::string_view name) {
+  return choice(name, "sample", "sample pixel",
+                "what is filtered over: as much of the pixel as a sample stands for, or all of it for every sample");
+}
+
+constexpr Parameter mipmap_parameters[] = {
+    choice("mipmap.level", "max", "max min area",
+           "texels of which size: as long as the longer derivative, the shorter one, or the root of their area"),
+    choice("mipmap.between", "trilinear", "trilinear nearest", "of the two levels about that size, or of the nearest"),
+    choice("mipmap.within", "bilinear", "bilinear nearest", "the four nearest texels of a level, or the nearest"),
+    bias("mipmap.bias"),
+    footprint("mipmap.footprint"),
+};
+constexpr Parameter anisotropic_parameters[] = {
+    integer("anisotropic.probes", 16, 1, 64, "", "most reads of a footprint; beyond that they get wider"),
+    bias("anisotropic.bias"),
+    footprint("anisotropic.footprint"),
+};
+constexpr Parameter oiio_parameters[] = {
+    choice("oiio.mip", "anisotropic", "anisotropic trilinear one_level none", "OpenImageIO's mip mode"),
+    choice("oiio.interpolation", "smart_bicubic", "smart_bicubic bicubic bilinear closest",
+           "within a level; smart: bicubic where texels are enlarged"),
+    integer("oiio.anisotropic", 32, 1, 1024, "", "largest ratio of a footprint's axes"),
+    real("oiio.width", 1, 0.01, 16, "", "what derivatives are multiplied by (swidth, twidth)"),
+    footprint("oiio.footprint"),
+};
 
 struct Entry {
   NamedSummary description;
@@ -22,6 +52,16 @@ constexpr std::array entries{
           [](const Settings&) { return make_linear_across(); }},
     Entry{{"bilinear", "the four nearest texels, interpolated along both texture axes"},
           [](const Settings&) { return make_bilinear(); }},
+    Entry{
+        {"mipmap", "averages in squares, made beforehand (Williams 1983): blurs where a footprint is longer than wide",
+         mipmap_parameters},
+        make_mipmap},
+    Entry{{"anisotropic", "several reads of the same averages in a row along the footprint's longer side",
+           anisotropic_parameters},
+          make_anisotropic},
+    Entry{{"oiio", "OpenImageIO's TextureSystem; hides its texels: fragments, leak and coverage mean nothing",
+           oiio_parameters},
+          make_oiio},
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The lookups: how a place on a texture becomes colour. A new one is a file here and a line in lookups.cpp.
+// The lookups: how a place on a texture becomes colour. A new one is a file in lookups/ and a line in lookups.cpp.
 #pragma once
 
 #include <memory>
@@ -20,5 +20,9 @@ std::unique_ptr<Lookup> make_lookup(std::string_view name, const Settings& setti
 
 std::unique_ptr<Lookup> make_linear_across();
 std::unique_ptr<Lookup> make_bilinear();
+// Their settings are of their rows in lookups.cpp.
+std::unique_ptr<Lookup> make_mipmap(const Settings& settings);
+std::unique_ptr<Lookup> make_anisotropic(const Settings& settings);
+std::unique_ptr<Lookup> make_oiio(const Settings& settings);
 
 }  // namespace moire

@@ -1,23 +1,17 @@
 #include "sampling/pattern_sampler.h"
 
-#include <cmath>
 #include <optional>
 
 #include <moire/probe.h>
 
+#include "sampling/filtered_rendering.h"
+#include "sampling/filters.h"
+#include "sampling/spacing.h"
 #include "sampling/strands.h"
 
 namespace moire {
 
 namespace {
-
-Spacing spacing_of(const PointSampler& sampler, const RenderRequest& request) {
-  if (const auto spacing = sampler.spacing()) return *spacing;
-  Points points;
-  sampler.points({0, 0, request.frame_number, request.seed}, points);
-  const double apart = 1 / std::sqrt(static_cast<double>(std::max<std::size_t>(points.entries().size(), 1)));
-  return {apart, apart};
-}
 
 class PatternRendering final : public Rendering {
  public:
@@ -50,20 +44,24 @@ class PatternRendering final : public Rendering {
 
 class PatternSampler final : public Sampler {
  public:
-  explicit PatternSampler(std::unique_ptr<PointSampler> points) : points_(std::move(points)) {}
+  PatternSampler(std::unique_ptr<PointSampler> points, const FilterChoice& filter)
+      : points_(std::move(points)), filter_(filter) {}
   std::unique_ptr<Rendering> begin(const RenderRequest& request) const override {
-    return std::make_unique<PatternRendering>(*points_, request);
+    if (filter_.name == filters().front().name) return std::make_unique<PatternRendering>(*points_, request);
+    return std::make_unique<FilteredRendering>(*points_, request, filter_);
   }
 
  private:
   std::unique_ptr<PointSampler> points_;
+  FilterChoice filter_;
 };
 
 }  // namespace
 
-std::unique_ptr<Sampler> make_sampler(const SamplerPlugin& plugin, const Settings& settings, const FilterChoice&) {
+std::unique_ptr<Sampler> make_sampler(const SamplerPlugin& plugin, const Settings& settings,
+                                      const FilterChoice& filter) {
   if (plugin.make) return plugin.make(settings);
-  return std::make_unique<PatternSampler>(plugin.make_points(settings));
+  return std::make_unique<PatternSampler>(plugin.make_points(settings), filter);
 }
 
 }  // namespace moire

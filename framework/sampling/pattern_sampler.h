@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <moire/plugin.h>
 
@@ -9,8 +10,8 @@ namespace moire {
 
 // A filter and its settings.
 struct FilterChoice {
-  std::string_view name = "box";  // a name from filters()
-  Settings settings = {};         // what is missing has its default
+  std::string name = "box";  // a name from filters()
+  Settings settings = {};    // what is missing has its default
 };
 
 // The sampler that a plugin makes from these settings; a PointSampler is given its host's part, which heeds the filter.

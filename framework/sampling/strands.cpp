@@ -50,7 +50,8 @@ std::vector<double> strips(std::span<const Points::Entry> points) {
 
 }  // namespace
 
-Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height) {
+Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, std::optional<Point> shift) {
+  const auto [left, up] = shift.value_or(Point{});
   Points points;
   std::vector<double> ends;
   std::vector<Points::Entry> sorted;
@@ -69,10 +70,11 @@ Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height) {
     for (const Points::Entry& point : sorted) {
       const auto strip = std::upper_bound(ends.begin(), ends.end(), point.x) - ends.begin() - 1;
       Strand& strand = strands_[static_cast<std::size_t>(strip)];
-      strand.points.push_back({pixel.x + point.x, pixel.y + point.y});
-      strand.offsets.push_back(point.x);
+      strand.points.push_back({pixel.x + (point.x - left), pixel.y + (point.y - up)});
+      strand.offsets.push_back(point.x - left);
       strand.rows.push_back(static_cast<std::uint32_t>(row));
       strand.weights.push_back(point.weight / sum);
+      if (shift) strand.places.push_back({point.x - point.moved.x - left, point.y - point.moved.y - up});
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <moire/sampler.h>
@@ -14,13 +15,18 @@ struct Strand {
   std::vector<std::uint32_t> rows;  // the pixel of each point: y from the block's top
   std::vector<double> offsets;      // of each point's x from its pixel
   std::vector<double> weights;      // of a pixel, over all strands: their sum is 1
+  std::vector<Point> places;        // in its pixel, of each point before it was moved; of strands with places
 };
 
 class Strands {
  public:
   // Of pixels (x, y0) .. (x, y0 + height - 1). Error: the sampler gave no points, points outside the pixel, or
   // weights that cannot be divided by their sum.
-  Strands(const PointSampler& sampler, Pixel pixel, int y0, int height);
+  Strands(const PointSampler& sampler, Pixel pixel, int y0, int height) : Strands(sampler, pixel, y0, height, {}) {}
+  // With places. Points and places go to the left and upward by `shift`.
+  static Strands with_places(const PointSampler& sampler, Pixel pixel, int y0, int height, Point shift) {
+    return {sampler, pixel, y0, height, shift};
+  }
 
   std::vector<Strand>& all() { return strands_; }
   const std::vector<Strand>& all() const { return strands_; }
@@ -29,6 +35,8 @@ class Strands {
   void move_to(int x);
 
  private:
+  Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, std::optional<Point> shift);
+
   std::vector<Strand> strands_;
 };
 

@@ -4,9 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "adaptive.h"
 #include "drawings.h"
+#include "filters.h"
 #include "interleaved.h"
+#include "lookups.h"
 #include "packet.h"
+#include "patterns.h"
 #include "plane.h"
 #include "sampling/lookups.h"
 #include "terrain_truth.h"
@@ -195,7 +199,7 @@ void run_terrain(const Catalog& catalog) {
 
 }  // namespace moire::benchmark
 
-// `moire_benchmarks` runs all; `drawings`, `plane`, `terrain` or `truth` behind it, that part alone.
+// `moire_benchmarks` runs all; the name of a part behind it, that part alone.
 int main(int argc, char** argv) {
   using namespace moire;
   if (!std::getenv("MOIRE_DATA")) {
@@ -204,8 +208,12 @@ int main(int argc, char** argv) {
   }
   const Catalog catalog = Catalog::open(plugin_folders({}));
   const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
+  if (is_wanted("adaptive")) benchmark::run_adaptive(catalog);
+  if (is_wanted("filters")) benchmark::run_filters(catalog);
   if (is_wanted("drawings")) benchmark::run_drawings(catalog);
+  if (is_wanted("patterns")) benchmark::run_patterns(catalog);
   if (is_wanted("plane")) benchmark::textured_plane(catalog);
   if (is_wanted("terrain")) benchmark::run_terrain(catalog);
+  if (is_wanted("lookups")) benchmark::run_lookups();
   if (is_wanted("truth")) benchmark::terrain_truth(catalog);
 }

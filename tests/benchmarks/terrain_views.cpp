@@ -42,9 +42,9 @@ Settings terrain_settings(const Catalog& catalog, const TerrainView& view) {
 
 std::unique_ptr<Contender> contender(const Catalog& catalog, const std::string& type,
                                      const std::vector<std::pair<std::string, Value>>& settings,
-                                     const std::string& lookup) {
+                                     const std::string& lookup, const std::string& filter) {
   const Plugin* plugin = catalog.find(Kind::sampler, type);
-  SamplerChoice choice{type, plugin, Settings(plugin->parameters()), lookup};
+  SamplerChoice choice{type, plugin, Settings(plugin->parameters()), lookup, filter};
   for (const auto& [name, value] : settings) choice.settings.set(name, value);
   return std::make_unique<Contender>(choice);
 }

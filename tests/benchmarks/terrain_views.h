@@ -24,7 +24,7 @@ Settings terrain_settings(const Catalog& catalog, const TerrainView& view);
 
 std::unique_ptr<Contender> contender(const Catalog& catalog, const std::string& type,
                                      const std::vector<std::pair<std::string, Value>>& settings,
-                                     const std::string& lookup = "nearest");
+                                     const std::string& lookup = "nearest", const std::string& filter = "box");
 
 // The loops of `point` and of `area` on upright lines over the scene's own walk, compiled in one piece with it.
 class OnePiece {

@@ -8,6 +8,7 @@
 #include "metrics/registry.h"
 #include "pictures/registry.h"
 #include "run/frame_run.h"
+#include "sampling/filters.h"
 #include "sampling/lookups.h"
 #include "support/plugins.h"
 
@@ -41,7 +42,7 @@ std::map<std::string, double> excess(const Experiment& experiment, const SceneCh
 
 TEST_CASE("point sampling flickers most, supersampling less the more points it has, area sampling least") {
   if (!std::getenv("MOIRE_DATA")) SKIP("MOIRE_DATA is not set; point it at the data folder to test on Puget Sound");
-  const Vocabulary vocabulary{&test::catalog(), metric_descriptions(), lookups(), picture_descriptions()};
+  const Vocabulary vocabulary{&test::catalog(), metric_descriptions(), lookups(), picture_descriptions(), filters()};
   const Experiment experiment = read_experiment(MOIRE_SOURCES "/experiments/cohen_or_flicker", vocabulary, {});
   for (const SceneChoice& scene : experiment.scenes) {
     CAPTURE(scene.name);

@@ -6,6 +6,7 @@
 #include "config/experiment.h"
 #include "metrics/registry.h"
 #include "pictures/registry.h"
+#include "sampling/filters.h"
 #include "sampling/lookups.h"
 #include "support/plugins.h"
 
@@ -13,7 +14,7 @@ namespace moire {
 
 TEST_CASE("every experiment of the tree is without a fault, and has a README beside it") {
   if (!std::getenv("MOIRE_DATA")) SKIP("MOIRE_DATA is not set; experiments name files of the data folder");
-  const Vocabulary vocabulary{&test::catalog(), metric_descriptions(), lookups(), picture_descriptions()};
+  const Vocabulary vocabulary{&test::catalog(), metric_descriptions(), lookups(), picture_descriptions(), filters()};
   std::size_t found = 0;
   for (const auto& entry : std::filesystem::directory_iterator(MOIRE_SOURCES "/experiments")) {
     CAPTURE(entry.path());

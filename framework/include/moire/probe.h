@@ -21,6 +21,9 @@ class Probe {
     request_.lookup ? look_up(points, tally, slot, weight) : trace(points, tally, slot, weight);
   }
 
+  // What lies at the k-th of the points last seen, whatever texels a lookup made of it.
+  Element element(std::size_t k) const { return request_.lookup ? places_[k].hit.element : hits_[k].element; }
+
  private:
   template <class Slot, class Weight>
   void trace(std::span<const SamplePoint> points, Tally& tally, Slot slot, Weight weight) {

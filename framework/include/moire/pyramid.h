@@ -10,6 +10,7 @@ namespace moire {
 // Level l has max(1, w >> l) x max(1, h >> l) texels, the last one 1 x 1. Each texel is the exact average, in the
 // texture's own (linear) light, of the part of level 0 that it covers: texel i of a row of w_l covers level-0 texels
 // i w_0 / w_l to (i + 1) w_0 / w_l, whole or in part, so that all levels keep the mean whatever the sizes are.
+// What is not a number makes all that it is part of none.
 class Pyramid {
  public:
   struct Level {

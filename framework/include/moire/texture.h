@@ -32,6 +32,8 @@ constexpr std::int64_t wrapped(std::int64_t index, std::int64_t size, Wrap wrap)
   return index < size ? index : period - 1 - index;
 }
 
+class OiioTexture;
+
 // A resident pyramid of texels, level 0 the finest. Texel (i, j) of level l covers [i, i + 1) x [j, j + 1) times
 // 2^l in texture coordinates (s, t), whose unit is a texel of level 0. Colours stay with whoever made the texture:
 // a level views them with a stride, so that they may lie interleaved with other data.
@@ -50,6 +52,8 @@ class Texture {
   Wrap wrap() const { return wrap_; }
   // Of level 0, made when it is first asked for, from whatever thread. Copies share it.
   const Pyramid& pyramid() const;
+  // The same in OpenImageIO's hands, likewise. Error: its module cannot be opened.
+  const OiioTexture& oiio() const;
 
   Hit texel(int l, std::int64_t i, std::int64_t j) const {
     const Level& level = levels_[static_cast<std::size_t>(l)];

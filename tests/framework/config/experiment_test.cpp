@@ -128,8 +128,9 @@ TEST_CASE("entries that are no plugin's are refused with those that are known") 
         "edges/experiment.json:4: scenes[1]: has no \"type\"; a scene is a name, or an object with a \"type\"\n"
         "edges/experiment.json:4: scenes[2].type: is 1; a type is the name of a scene\n"
         "edges/experiment.json:5: samplers[0].type: there is no sampler \"supersampel\"; did you mean "
-        "\"supersample\"? known are area, bilinear, point, supersample\n"
-        "edges/experiment.json:5: samplers[1].type: there is no sampler \"quincunx\"; known are area, bilinear, point, "
+        "\"supersample\"? known are area, bilinear, jittered, point, supersample\n"
+        "edges/experiment.json:5: samplers[1].type: there is no sampler \"quincunx\"; known are area, bilinear, "
+        "jittered, point, "
         "supersample");
 }
 
@@ -151,7 +152,7 @@ TEST_CASE("a reference is one sampler that exists") {
         "edges/experiment.json:6: reference: is a list; a sampler is a name, or an object with a \"type\"");
   CHECK(folder.problems_with({R"("reference": "pont")"}) ==
         "edges/experiment.json:6: reference.type: there is no sampler \"pont\"; did you mean \"point\"? known are "
-        "area, bilinear, point, supersample");
+        "area, bilinear, jittered, point, supersample");
 }
 
 TEST_CASE("what a scene itself objects to is reported at the scene, for each of its grid") {
@@ -184,11 +185,11 @@ TEST_CASE("everything that is wrong is reported together, by file and line") {
                               R"("seed": "x")"}) ==
         "configs/plain.json:3: scenes[0].hierarchy: is 1; \"heightfield\" takes true or false\n"
         "edges/experiment.json:5: samplers[0].type: there is no sampler \"pont\"; did you mean \"point\"? known are "
-        "area, bilinear, point, supersample\n"
+        "area, bilinear, jittered, point, supersample\n"
         "edges/experiment.json:6: samplers[1].layuot: unknown key; did you mean \"layout\"? \"area\" takes method, "
-        "layout, closed, blur, lookup, label\n"
+        "layout, closed, blur, lookup, mipmap, label\n"
         "edges/experiment.json:6: samplers[1].n: unknown key; \"area\" takes method, layout, closed, blur, lookup, "
-        "label\n"
+        "mipmap, label\n"
         "edges/experiment.json:7: samplers[2].n: is 0; \"supersample\" takes 1 to 256 points\n"
         "edges/experiment.json:8: seed: is \"x\"; \"seed\" takes a whole number, 0 to 9007199254740992");
 }

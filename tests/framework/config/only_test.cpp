@@ -51,7 +51,7 @@ TEST_CASE("what is left out is checked all the same") {
   const ExperimentFolder folder;
   CHECK(folder.problems(experiment_with({R"("samplers": ["point", "pont"])"}), {.sets = {}, .only = "/point"}) ==
         "edges/experiment.json:5: samplers[1].type: there is no sampler \"pont\"; did you mean \"point\"? known are "
-        "area, bilinear, point, supersample");
+        "area, bilinear, jittered, point, supersample");
 }
 
 }  // namespace

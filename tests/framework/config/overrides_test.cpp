@@ -63,7 +63,7 @@ TEST_CASE("wrong values are reported as set there") {
         "samplers, reference, seed, frames, metrics, pictures, keep_images\n"
         "--set image.width=0: image.width: is 0; \"image\" takes 1 to 16384 pixels\n"
         "--set samplers[0].n={\"a\": 1, \"a\": 2}: samplers[0].n.a: repeated key; keep one of them\n"
-        "--set samplers[0].n={\"a\": 1, \"a\": 2}: samplers[0].n: unknown key; \"point\" takes lookup, label");
+        "--set samplers[0].n={\"a\": 1, \"a\": 2}: samplers[0].n: unknown key; \"point\" takes lookup, mipmap, label");
 }
 
 TEST_CASE("a path that leads nowhere is named") {

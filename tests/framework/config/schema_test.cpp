@@ -88,11 +88,11 @@ TEST_CASE("the schema and the reader refuse the same mistakes of form") {
 
 TEST_CASE("editors find meanings, units and defaults") {
   const auto& sampler = schema().at("definitions").at("sampler").at("anyOf");
-  CHECK(sampler[0].dump() == R"({"enum":["area","bilinear","point","supersample"]})");
-  CHECK(sampler[4].at("description") == "Many points.");
-  CHECK(sampler[4].at("properties").at("type").dump() == R"({"const":"supersample"})");
-  CHECK(sampler[4].at("properties").at("layout").at("default") == "column");
-  CHECK(sampler[4].at("properties").at("n").dump(1) == R"json({
+  CHECK(sampler[0].dump() == R"({"enum":["area","bilinear","jittered","point","supersample"]})");
+  CHECK(sampler[5].at("description") == "Many points.");
+  CHECK(sampler[5].at("properties").at("type").dump() == R"({"const":"supersample"})");
+  CHECK(sampler[5].at("properties").at("layout").at("default") == "column");
+  CHECK(sampler[5].at("properties").at("n").dump(1) == R"json({
  "anyOf": [
   {
    "maximum": 256,

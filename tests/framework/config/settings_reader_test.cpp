@@ -71,7 +71,7 @@ TEST_CASE("unknown keys name the nearest, in groups too") {
         "edges/experiment.json:5: scenes[0].lookup: unknown key; \"heightfield\" takes height, generate, hierarchy, "
         "view, sky, credit, label\n"
         "edges/experiment.json:6: samplers[0].lable: unknown key; did you mean \"label\"? \"point\" takes lookup, "
-        "label");
+        "mipmap, label");
 }
 
 TEST_CASE("a group that is no object is refused") {

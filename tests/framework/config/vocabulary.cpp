@@ -15,6 +15,16 @@ constexpr Parameter supersample_parameters[] = {
     choice("layout", "column", "column grid", "n points above one another, or n x n"),
 };
 constexpr SamplerPlugin supersample{.summary = "Many points.", .source = "", .parameters = supersample_parameters};
+// A pattern that anything may be done with.
+constexpr SamplerPlugin jittered{
+    .summary = "Moved points.", .source = "", .parameters = supersample_parameters, .takes_filters = true};
+constexpr Parameter mipmap_parameters[] = {
+    real("mipmap.bias", 0, -8, 8, "levels", "more is blurrier"),
+    choice("mipmap.level", "max", "max min", "which derivative"),
+};
+constexpr Parameter tent_parameters[] = {real("tent.radius", 1, 0.5, 4, "pixels", "half its base")};
+constexpr Parameter mitchell_parameters[] = {real("mitchell.b", 0.25, 0, 1, "", "B"),
+                                             real("mitchell.c", 0.5, 0, 1, "", "C")};
 
 constexpr Parameter area_parameters[] = {
     choice("method", "line", "line exact", "what is integrated"),
@@ -97,13 +107,19 @@ Plugin sampler(std::string name, const SamplerPlugin& plugin) {
 
 const Vocabulary& vocabulary() {
   static const Catalog catalog({sampler("area", area), sampler("bilinear", bilinear), scene("cartoon", cartoon),
-                                scene("heightfield", heightfield), sampler("point", point),
-                                sampler("supersample", supersample), scene("textured_plane", textured_plane)});
+                                scene("heightfield", heightfield), sampler("jittered", jittered),
+                                sampler("point", point), sampler("supersample", supersample),
+                                scene("textured_plane", textured_plane)});
   static constexpr const PassDescription* metrics[] = {&coverage, &error, &speed};
-  static constexpr NamedSummary lookups[] = {
-      {"nearest", "one texel"}, {"linear_across", "two texels"}, {"bilinear", "four texels"}};
+  static constexpr NamedSummary lookups[] = {{"nearest", "one texel"},
+                                             {"linear_across", "two texels"},
+                                             {"bilinear", "four texels"},
+                                             {"mipmap", "eight texels", mipmap_parameters}};
+  static constexpr NamedSummary filters[] = {{"box", "all points alike"},
+                                             {"tent", "falls straight", tent_parameters},
+                                             {"mitchell", "a cubic", mitchell_parameters}};
   static constexpr const PassDescription* pictures[] = {&plan, &strip};
-  static const Vocabulary result{&catalog, metrics, lookups, pictures};
+  static const Vocabulary result{&catalog, metrics, lookups, pictures, filters};
   return result;
 }
 

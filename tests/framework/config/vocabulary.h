@@ -5,8 +5,9 @@
 
 namespace moire::test {
 
-// Scenes cartoon, heightfield, textured_plane; samplers area, bilinear, point, supersample; metrics coverage, error,
-// speed; lookups nearest, linear_across, bilinear.
+// Scenes cartoon, heightfield, textured_plane; samplers area, bilinear, jittered (which alone takes filters), point,
+// supersample; metrics coverage, error, speed; lookups nearest, linear_across, bilinear, mipmap; filters box, tent,
+// mitchell.
 const Vocabulary& vocabulary();
 
 }  // namespace moire::test

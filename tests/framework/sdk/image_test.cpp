@@ -309,6 +309,6 @@ TEST_CASE("without its module the SDK says what is missing") {
   CHECK(
       output_of("'" IMAGE_PROBES "/image_probe_alone' a.png") ==
       "before: 0\n" + module + ": cannot be opened (" + module +
-          ": cannot open shared object file: No such file or directory); reading and writing images needs this part of "
-          "moire and the OpenImageIO library (Debian: libopenimageio-dev)\nafter: 0\nexit 0");
+          ": cannot open shared object file: No such file or directory); images and the lookup \"oiio\" need this part of moire "
+          "and the OpenImageIO library (Debian: libopenimageio-dev)\nafter: 0\nexit 0");
 }

@@ -4,7 +4,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
+#include "sampling/filters.h"
 #include "sampling/lookups.h"
 #include "sampling/pattern_sampler.h"
 #include "sanitized.h"
@@ -123,6 +125,35 @@ TEST_CASE("samplers that claim to draw no random numbers give the same bits for 
     if (!plugin.sampler->claims.deterministic) return;
     CHECK(first_difference(rendered(sampler, frame, lookup), rendered(sampler, frame, lookup, {}, 12345)) == "");
   });
+}
+
+// Filters with a margin beyond their usual one, or other shapes, are settings; what blocks do is the same.
+TEST_CASE("every pattern under every filter has finite pixels of weight 1, the same bits in all blocks and threads") {
+  const auto check = [](const Plugin& plugin, const FilterChoice& filter, const Frame& frame) {
+    CAPTURE(plugin.name, filter.name);
+    const auto sampler = make_sampler(*plugin.sampler, Settings(plugin.parameters()), filter);
+    const Rendered image = rendered(*sampler, frame, nullptr, {.block_width = frame.size().width});
+    CHECK(std::all_of(image.pixels.begin(), image.pixels.end(), [](const Content& pixel) {
+      return std::abs(pixel.weight - 1) <= 1e-12 && !pixel.fragments.empty() && std::isfinite(pixel.color.r) &&
+             std::isfinite(pixel.color.g) && std::isfinite(pixel.color.b);
+    }));
+    for (const auto& [threads, block_width, recording] :
+         {std::tuple{1, 1, true}, std::tuple{2, 7, true}, std::tuple{2, 5, false}, std::tuple{1, 32, false}}) {
+      if (sanitized && block_width != 5) continue;
+      CAPTURE(threads, block_width, recording);
+      CHECK(first_difference(image, rendered(*sampler, frame, nullptr, {threads, block_width, recording})) == "");
+    }
+  };
+  for (const MadeScene& made : scenes()) {
+    if (made.plugin->name != "cartoon" && made.plugin->name != "heightfield") continue;
+    const auto frame = made.scene->frame(made.settings, {17, 11});
+    for (const NamedSummary& filter : filters()) {
+      for (const Plugin* plugin : catalog().all(Kind::sampler)) {
+        const bool is_cheap = made.plugin->name == "cartoon" || plugin->name == "jittered";
+        if (plugin->sampler->make_points && is_cheap) check(*plugin, {std::string(filter.name), {}}, *frame);
+      }
+    }
+  }
 }
 
 TEST_CASE("every scene runs under at least one sampler, and every sampler on at least one scene") {

@@ -2,8 +2,8 @@
 // the texture along which the place moves faster when the image point moves sideways, for a column walk its minor axis.
 #include <cmath>
 
-#include "sampling/interpolation.h"
 #include "sampling/lookups.h"
+#include "sampling/lookups/interpolation.h"
 
 namespace moire {
 

@@ -1,8 +1,8 @@
 // Bilinear interpolation between the four nearest texels, visible or not.
 #include <cmath>
 
-#include "sampling/interpolation.h"
 #include "sampling/lookups.h"
+#include "sampling/lookups/interpolation.h"
 
 namespace moire {
 
