@@ -184,12 +184,14 @@ Quadtree::Quadtree(const View& view, const Texels& texels, const Surroundings& s
 
 double Quadtree::integrate(moire::PixelBlock& block) const {
   double bound = 0;
+  block.counters.queries += block.slots();
   block.fill([&](auto add) {
     for (int y = block.y0; y < block.y0 + block.height; ++y) {
       for (int x = block.x0; x < block.x0 + block.width; ++x) {
         const std::size_t slot = block.slot(x, y);
         const Footprint footprint(view_, x, y);
         if (footprint.sky() > 0) add(slot, moire::background, footprint.sky(), surroundings_.sky);
+        if (footprint.sky() < 1) ++block.counters.hits;
         if (footprint.far() > 0) add(slot, far_ground, footprint.far(), surroundings_.far);
         if (footprint.near().empty()) continue;
         Descent descent(view_, texels_, blocks_, footprint, tolerance_);

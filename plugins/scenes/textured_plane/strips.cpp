@@ -221,12 +221,14 @@ void Strips::add_by_texels(const LevelView::Row& row, int x0, std::vector<moire:
 }
 
 void Strips::integrate(moire::PixelBlock& block) const {
+  block.counters.queries += block.slots();
   std::vector<moire::Tally::Sum> pixels(static_cast<std::size_t>(block.width));
   for (int y = block.y0; y < block.y0 + block.height; ++y) {
     const LevelView::Row row = view_.row(y);
     std::fill(pixels.begin(), pixels.end(), moire::Tally::Sum{});
     if (row.near > 0) takes_sums(row) ? add_by_sums(row, block.x0, pixels) : add_by_texels(row, block.x0, pixels);
 
+    if (row.sky < 1) block.counters.hits += static_cast<std::uint64_t>(block.width);
     block.fill([&](auto add) {
       for (int x = 0; x < block.width; ++x) {
         const std::size_t slot = block.slot(block.x0 + x, y);

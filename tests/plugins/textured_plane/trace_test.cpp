@@ -124,6 +124,17 @@ TEST_CASE("a place on the plane shows what tracing sees and moves with the image
   CHECK(compared > 5000);
 }
 
+TEST_CASE("averages of the plane count pixels, and those that are not all sky") {
+  const Texels texels = random_texels(7, 5, Wrap::repeat);
+  Camera camera{.size = {20, 21}, .height = 2, .far = 100, .fov_deg = 90};
+  for (const double yaw : {0.0, 1.0}) {
+    camera.yaw_deg = yaw;
+    PixelBlock block({0, 0, 20, 21}, false);
+    textured_plane::PlaneFrame(camera, texels, {}, 1e-4).averages()->integrate(nullptr, block);
+    CHECK(block.counters == Counters{.queries = 20 * 21, .hits = 20 * 11, .steps = 0});
+  }
+}
+
 // Told without a formula: yaw 0 looks east along rows, and a camera turned clockwise sees the horizon rise to the
 // right.
 TEST_CASE("directions of the plane's camera") {
