@@ -1,5 +1,7 @@
 #include "footprint.h"
 
+#include <algorithm>
+
 #include <limits>
 
 namespace textured_plane {
