@@ -1,5 +1,6 @@
 #include "footprint.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace textured_plane {

@@ -1,7 +1,6 @@
 // What one pixel sees of the plane, whatever the view.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <tuple>
 #include <utility>
