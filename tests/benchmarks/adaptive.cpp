@@ -24,11 +24,13 @@ struct Spent {
 class Bench {
  public:
   // `uniform`: sides of the jittered grids between which savings are looked up.
-  Bench(const Catalog& catalog, const std::string& file, int side, const std::vector<std::int64_t>& uniform)
+  Bench(const Catalog& catalog, const std::string& file, double rotation_deg, int side,
+        const std::vector<std::int64_t>& uniform)
       : catalog_(catalog), size_{side, side} {
     const Plugin* plugin = catalog.find(Kind::scene, "cartoon");
     Settings settings(plugin->parameters());
     settings.set("file", file);
+    settings.set("view.rotation_deg", rotation_deg);
     scene_ = plugin->scene->make(settings);
     frame_ = scene_->frame(settings, size_);
     exact_ = render_picture(*contender(catalog, "area", {{"method", std::string("exact")}}), *frame_, 0, 1, one_);
@@ -86,17 +88,19 @@ void run_adaptive(const Catalog& catalog) {
   struct Drawing {
     const char* name;
     std::string file;
+    double rotation_deg;
     int side;
     std::vector<std::int64_t> uniform;
   };
   const Drawing drawings[] = {
-      {"cartoon, >= 30 x at .0015", "", 1024, {2, 4, 8, 16}},
-      {"cartoon, small", "", 256, {2, 4, 8, 16, 24}},
-      {"thin features, >= 10 x from quarters of a pixel", MOIRE_THIN_FEATURES, 256, {2, 4, 8, 16, 24}}};
+      {"cartoon, >= 30 x at .0015", "", 0, 1024, {2, 4, 8, 16}},
+      {"cartoon, turned so that none of its edges lie along the lattice", "", 7, 1024, {2, 4, 8, 16}},
+      {"cartoon, small", "", 0, 256, {2, 4, 8, 16, 24}},
+      {"thin features, >= 10 x from quarters of a pixel", MOIRE_THIN_FEATURES, 0, 256, {2, 4, 8, 16, 24}}};
   fmt::print("Adaptive sampling: samples a pixel, RMSE (0 .. 1), samples and time that jitter needs for it.\n");
-  for (const auto& [name, file, side, uniform] : drawings) {
+  for (const auto& [name, file, rotation_deg, side, uniform] : drawings) {
     fmt::print("  {}, {} x {} pixels\n", name, side, side);
-    const Bench bench(catalog, file, side, uniform);
+    const Bench bench(catalog, file, rotation_deg, side, uniform);
     bench.print("grid 16 x 16", "supersample", {{"n", std::int64_t{16}}, {"layout", std::string("grid")}});
     bench.print("jittered 4 x 4", "jittered", {});
     bench.print("jittered 16 x 16", "jittered", {{"n", std::int64_t{16}}});
