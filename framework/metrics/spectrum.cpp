@@ -220,8 +220,7 @@ class SpectrumMetric final : public Metric {
     std::vector<Measurement> result;
     for (std::size_t q = 0; q < found.size(); ++q) {
       Measurement m = mean_of(quantities[q].name, found[q]);
-      const bool is_known = q >= 4 || !waves.empty() || (plate && q != 3);  // of a zone plate no shift
-      if (!is_known) continue;
+      if (!is_defined(q, waves, plate.has_value())) continue;
       if (q >= 4) {
         for (double* value : {&m.value, &m.low, &m.high}) *value = signed_root(*value);
       }
@@ -240,6 +239,15 @@ class SpectrumMetric final : public Metric {
   std::vector<Curve> curves() const override { return {{curve_descriptions[0].name, error_power_}}; }
 
  private:
+  // Alias takes components above half a cycle a pixel, blur and shift some below; of a zone plate there is no shift.
+  static bool is_defined(std::size_t quantity, std::span<const Sinusoid> waves, bool is_zone_plate) {
+    const auto inside = static_cast<std::size_t>(std::count_if(waves.begin(), waves.end(), is_in_band));
+    if (quantity >= 4) return true;
+    if (is_zone_plate) return quantity != 3;
+    if (quantity == 2) return !waves.empty();
+    return quantity == 0 ? inside < waves.size() : inside > 0;
+  }
+
   // The mean, and 95 % of its own distribution where there is more than one pair.
   static Measurement mean_of(std::string_view name, const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());

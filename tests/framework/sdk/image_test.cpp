@@ -306,9 +306,9 @@ TEST_CASE("OpenImageIO is loaded by the first image and not before") {
 
 TEST_CASE("without its module the SDK says what is missing") {
   const std::string module = IMAGE_PROBES "/moire/moire_images.so";
-  CHECK(
-      output_of("'" IMAGE_PROBES "/image_probe_alone' a.png") ==
-      "before: 0\n" + module + ": cannot be opened (" + module +
-          ": cannot open shared object file: No such file or directory); images and the lookup \"oiio\" need this part of moire "
-          "and the OpenImageIO library (Debian: libopenimageio-dev)\nafter: 0\nexit 0");
+  CHECK(output_of("'" IMAGE_PROBES "/image_probe_alone' a.png") ==
+        "before: 0\n" + module + ": cannot be opened (" + module +
+            ": cannot open shared object file: No such file or directory); images and the lookup \"oiio\" need this "
+            "part of moire "
+            "and the OpenImageIO library (Debian: libopenimageio-dev)\nafter: 0\nexit 0");
 }

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "support/pieces.h"
-#include "surroundings.h"
+#include "textured_plane/surroundings.h"
 
 namespace moire::test {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame.h"
 #include "plugins/textured_plane/clipped_texels.h"
+#include "textured_plane/frame.h"
 
 namespace moire::test {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "texels.h"
-#include "view.h"
+#include "textured_plane/texels.h"
+#include "textured_plane/view.h"
 
 namespace moire::test {
 
