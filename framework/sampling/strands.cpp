@@ -34,18 +34,39 @@ double checked_sum(std::span<const Points::Entry> points, const Pixel& pixel) {
   return sum;
 }
 
-// The left ends of the strips: each distinct x where points share few, else equal strips, as many as the root of the
-// number of points.
-std::vector<double> strips(std::span<const Points::Entry> points) {
-  const auto most = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(points.size()))));
-  std::vector<double> ends;
-  for (const Points::Entry& point : points) ends.push_back(point.x);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  if (ends.size() <= most) return ends;
-  ends.resize(most);
-  for (std::size_t k = 0; k < most; ++k) ends[k] = static_cast<double>(k) / static_cast<double>(most);
-  return ends;
+// The upright strips of a pixel that its points are sorted into: one for each distinct x where points share few, else
+// equal ones, as many as the root of the number of points.
+class Strips {
+ public:
+  void divide(std::span<const Points::Entry> points) {
+    count_ = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(points.size()))));
+    shared_.clear();
+    for (const Points::Entry& point : points) {
+      const auto place = std::lower_bound(shared_.begin(), shared_.end(), point.x);
+      if (place != shared_.end() && *place == point.x) continue;
+      if (shared_.size() == count_) return shared_.clear();  // too many: equal strips
+      shared_.insert(place, point.x);
+    }
+    count_ = shared_.size();
+  }
+
+  std::size_t count() const { return count_; }
+  // Requires: x is that of one of the points.
+  std::size_t of(double x) const {
+    if (shared_.empty()) return std::min(static_cast<std::size_t>(x * static_cast<double>(count_)), count_ - 1);
+    return static_cast<std::size_t>(std::lower_bound(shared_.begin(), shared_.end(), x) - shared_.begin());
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::vector<double> shared_;  // rising
+};
+
+// From the pixel's lower edge to its upper one; points of one height in the order in which they were given.
+void order_upward(std::span<const Points::Entry> points, std::vector<std::pair<double, std::uint32_t>>& order) {
+  order.clear();
+  for (const Points::Entry& point : points) order.emplace_back(-point.y, static_cast<std::uint32_t>(order.size()));
+  std::sort(order.begin(), order.end());
 }
 
 }  // namespace
@@ -53,8 +74,8 @@ std::vector<double> strips(std::span<const Points::Entry> points) {
 Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, std::optional<Point> shift) {
   const auto [left, up] = shift.value_or(Point{});
   Points points;
-  std::vector<double> ends;
-  std::vector<Points::Entry> sorted;
+  Strips strips;
+  std::vector<std::pair<double, std::uint32_t>> order;
   double sum = 0;
   for (int row = height - 1; row >= 0; --row) {
     pixel.y = y0 + row;
@@ -62,20 +83,30 @@ Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, s
       points.clear();
       sampler.points(pixel, points);
       sum = checked_sum(points.entries(), pixel);
-      ends = strips(points.entries());
-      sorted.assign(points.entries().begin(), points.entries().end());
-      std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.y > b.y; });
+      strips.divide(points.entries());
+      order_upward(points.entries(), order);
     }
-    if (strands_.size() < ends.size()) strands_.resize(ends.size());
-    for (const Points::Entry& point : sorted) {
-      const auto strip = std::upper_bound(ends.begin(), ends.end(), point.x) - ends.begin() - 1;
-      Strand& strand = strands_[static_cast<std::size_t>(strip)];
+    if (strands_.size() < strips.count()) grow(strips.count(), order.size() * static_cast<std::size_t>(height));
+    for (const auto& place : order) {
+      const Points::Entry& point = points.entries()[place.second];
+      Strand& strand = strands_[strips.of(point.x)];
       strand.points.push_back({pixel.x + (point.x - left), pixel.y + (point.y - up)});
       strand.offsets.push_back(point.x - left);
       strand.rows.push_back(static_cast<std::uint32_t>(row));
       strand.weights.push_back(point.weight / sum);
       if (shift) strand.places.push_back({point.x - point.moved.x - left, point.y - point.moved.y - up});
     }
+  }
+}
+
+void Strands::grow(std::size_t count, std::size_t points) {
+  strands_.resize(count);
+  const std::size_t each = points / count + points / (8 * count);
+  for (Strand& strand : strands_) {
+    strand.points.reserve(each);
+    strand.rows.reserve(each);
+    strand.offsets.reserve(each);
+    strand.weights.reserve(each);
   }
 }
 

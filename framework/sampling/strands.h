@@ -35,6 +35,9 @@ class Strands {
   void move_to(int x);
 
  private:
+  // To so many strands, which will hold so many points in all, about evenly.
+  void grow(std::size_t count, std::size_t points);
+
   Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, std::optional<Point> shift);
 
   std::vector<Strand> strands_;
