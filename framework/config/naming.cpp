@@ -19,13 +19,14 @@ std::string short_form(const Parameter& parameter, const Value& value) {
   return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
 }
 
-// Of each type the rows of its table in which its choices differ.
+// Of each type the rows of its table in which its choices without a label differ.
 using Differences = std::map<const Plugin*, std::vector<bool>>;
 
 Differences differences(std::span<const Choice> choices) {
   Differences result;
   std::map<const Plugin*, const Choice*> firsts;
   for (const Choice& choice : choices) {
+    if (!choice.label.empty()) continue;
     const Choice& first = *firsts.try_emplace(choice.plugin, &choice).first->second;
     std::vector<bool>& rows = result.try_emplace(choice.plugin, choice.table.size()).first->second;
     for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -27,11 +27,11 @@ std::string left(const std::string& only) {
 TEST_CASE("scenes and samplers are kept by name or by type") {
   CHECK(left("flat/supersample[n=4]") == "flat / supersample[n=4]");
   CHECK(left("cartoon/supersample") == "cartoon / supersample[n=2] supersample[n=4]");
-  CHECK(left("heightfield/point") == "heightfield[view.pitch_deg=-20] flat / point");
+  CHECK(left("heightfield/point") == "heightfield flat / point");
 }
 
 TEST_CASE("an empty half keeps all") {
-  CHECK(left("/point") == "heightfield[view.pitch_deg=-20] flat cartoon / point");
+  CHECK(left("/point") == "heightfield flat cartoon / point");
   CHECK(left("flat/") == "flat / point supersample[n=2] supersample[n=4]");
   CHECK(left("") == left("/"));
 }
@@ -41,7 +41,7 @@ TEST_CASE("it is an error if nothing is left") {
   const auto problems = [&](const std::string& only) { return folder.problems(text, {.sets = {}, .only = only}); };
   CHECK(problems("flatt/quincunx") ==
         "--only flatt/quincunx: the experiment has no scene \"flatt\"; did you mean \"flat\"? it has "
-        "heightfield[view.pitch_deg=-20], flat, cartoon\n"
+        "heightfield, flat, cartoon\n"
         "--only flatt/quincunx: the experiment has no sampler \"quincunx\"; it has point, supersample[n=2], "
         "supersample[n=4]");
   CHECK(problems("point") == "--only point: has no \"/\"; write --only SCENE/SAMPLER, where one may be empty");
