@@ -44,7 +44,14 @@ constexpr Quantity quantities[] = {
      .meaning = "mean over pixels and pairs of frames of |dI - dR|, dI the change of the pixel and dR that of the "
                 "reference, signed, the largest of the channels: change that the scene does not make",
      .is_main = true},
+    {.name = "flicker.excess_unrounded",
+     .unit = "codes",
+     .meaning =
+         "the same from codes that are not rounded to whole ones: without what a screen's rounding adds, even to "
+         "an exact picture's slow changes"},
 };
+
+constexpr std::size_t shares_apart = 6;  // changes by 0 to 5
 
 }  // namespace
 
@@ -53,32 +60,38 @@ Flicker::Flicker(const Settings& settings, ImageSize image)
                                               : Columns{or_middle(settings.integer("column"), image.width), 1}) {}
 
 void Flicker::see(const FrameView& view) {
-  std::vector<Code> own = codes_of(view.own), reference = codes_of(*view.reference);
+  std::vector<Shown> own = shown(view.own), reference = shown(*view.reference);
   for (std::size_t k = 0; k < last_.size(); ++k) {
     int change = 0, excess = 0;
+    double unrounded = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-      const int own_change = own[k][c] - last_[k][c];
+      const int own_change = own[k].codes[c] - last_[k].codes[c];
       change = std::max(change, std::abs(own_change));
-      excess = std::max(excess, std::abs(own_change - (reference[k][c] - last_reference_[k][c])));
+      excess = std::max(excess, std::abs(own_change - (reference[k].codes[c] - last_reference_[k].codes[c])));
+      unrounded = std::max(unrounded, std::abs(own[k].unrounded[c] - last_[k].unrounded[c] -
+                                               (reference[k].unrounded[c] - last_reference_[k].unrounded[c])));
     }
     ++histogram_[static_cast<std::size_t>(change)];
     excess_ += static_cast<std::uint64_t>(excess);
+    excess_unrounded_ += unrounded;
   }
   last_ = std::move(own);
   last_reference_ = std::move(reference);
 }
 
-std::vector<Flicker::Code> Flicker::codes_of(const PixelBlock& block) {
-  std::vector<Code> codes(block.slots());
-  for (std::size_t slot = 0; slot < codes.size(); ++slot) {
+std::vector<Flicker::Shown> Flicker::shown(const PixelBlock& block) {
+  std::vector<Shown> result(block.slots());
+  for (std::size_t slot = 0; slot < result.size(); ++slot) {
     const Color color = block.color(slot);
     const float channels[] = {color.r, color.g, color.b};
     for (std::size_t c = 0; c < 3; ++c) {
       has_nan_ = has_nan_ || std::isnan(channels[c]);
-      codes[slot][c] = std::isnan(channels[c]) ? 0 : srgb_code(channels[c]);
+      if (std::isnan(channels[c])) continue;
+      result[slot].codes[c] = srgb_code(channels[c]);
+      result[slot].unrounded[c] = 255 * linear_to_srgb(std::clamp(channels[c], 0.0F, 1.0F));
     }
   }
-  return codes;
+  return result;
 }
 
 std::vector<Measurement> Flicker::finish() const {
@@ -91,13 +104,14 @@ std::vector<Measurement> Flicker::finish() const {
   const double all = has_nan_ ? std::nan("") : static_cast<double>(count);
   std::vector<Measurement> result;
   double rest = all;
-  for (std::size_t k = 0; k + 3 < std::size(quantities); ++k) {
+  for (std::size_t k = 0; k < shares_apart; ++k) {
     result.push_back({quantities[k].name, static_cast<double>(histogram_[k]) / all});
     rest -= static_cast<double>(histogram_[k]);
   }
   result.push_back({"flicker.changed_by_6_up", rest / all});
   result.push_back({"flicker.mean", static_cast<double>(sum) / all});
   result.push_back({"flicker.excess", static_cast<double>(excess_) / all});
+  result.push_back({"flicker.excess_unrounded", excess_unrounded_ / all});
   return result;
 }
 

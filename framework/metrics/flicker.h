@@ -22,13 +22,18 @@ class Flicker final : public TemporalMetric {
   std::vector<Measurement> finish() const override;
 
  private:
-  using Code = std::array<int, 3>;  // 8-bit sRGB
-  std::vector<Code> codes_of(const PixelBlock& block);
+  // A pixel on an 8-bit sRGB screen.
+  struct Shown {
+    std::array<int, 3> codes;
+    std::array<double, 3> unrounded;
+  };
+  std::vector<Shown> shown(const PixelBlock& block);
 
   Columns columns_;
-  std::vector<Code> last_, last_reference_;
+  std::vector<Shown> last_, last_reference_;
   std::array<std::uint64_t, 256> histogram_{};
   std::uint64_t excess_ = 0;
+  double excess_unrounded_ = 0;
   bool has_nan_ = false;  // in a pixel of the contender or of the reference
 };
 

@@ -55,7 +55,9 @@ PixelBlock block(const Movie& movie, std::size_t frame, const Columns& columns) 
   return result;
 }
 
-Values flicker(const Movie& own, const Movie& reference, const std::string& of, std::int64_t column = -1) {
+constexpr const char* unrounded = "flicker.excess_unrounded";
+
+Values all_flicker(const Movie& own, const Movie& reference, const std::string& of, std::int64_t column = -1) {
   Settings settings(flicker_description.parameters);
   settings.set("of", of);
   settings.set("column", column);
@@ -67,6 +69,13 @@ Values flicker(const Movie& own, const Movie& reference, const std::string& of, 
   }
   Values values;
   for (const Measurement& m : metric->finish()) values[std::string(m.quantity)] = m.value;
+  return values;
+}
+
+// What is counted in whole codes.
+Values flicker(const Movie& own, const Movie& reference, const std::string& of, std::int64_t column = -1) {
+  Values values = all_flicker(own, reference, of, column);
+  values.erase(unrounded);
   return values;
 }
 
@@ -113,6 +122,28 @@ Values brute_force(const Movie& own, const Movie& reference, int x0, int x1) {
   return values;
 }
 
+// From lights, by the definition.
+double unrounded_excess(const Movie& own, const Movie& reference) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t f = 1; f < own.frames.size(); ++f) {
+    for (std::size_t k = 0; k < own.frames[f].size(); ++k, ++count) {
+      const auto change = [&](const Movie& movie, float Color::*channel) {
+        const auto code = [&](std::size_t frame) {
+          const double light = std::clamp<double>(movie.frames[frame][k].*channel, 0, 1);
+          return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+        };
+        return code(f) - code(f - 1);
+      };
+      double largest = 0;
+      for (float Color::*channel : {&Color::r, &Color::g, &Color::b})
+        largest = std::max(largest, std::abs(change(own, channel) - change(reference, channel)));
+      sum += largest;
+    }
+  }
+  return sum / static_cast<double>(count);
+}
+
 double sum_of_shares(const Values& values) {
   double sum = values.at("flicker.changed_by_6_up");
   for (int k = 0; k < 6; ++k) sum += values.at("flicker.changed_by_" + std::to_string(k));
@@ -128,6 +159,9 @@ TEST_CASE("flicker is what counting stored images gives, of a column and of the 
     CHECK(flicker(own, reference, "column", column) == brute_force(own, reference, column, column + 1));
   }
   CHECK(flicker(own, reference, "image") == brute_force(own, reference, 0, 5));
+  // Sums of at most 255 a pixel in another order.
+  CHECK(all_flicker(own, reference, "image").at(unrounded) ==
+        Catch::Approx(unrounded_excess(own, reference)).epsilon(1e-12));
   // Each of the shares is there to be counted wrongly.
   for (const auto& [name, value] : brute_force(own, reference, 0, 5)) {
     CAPTURE(name);
