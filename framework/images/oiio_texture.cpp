@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
+#include <mutex>
 #include <vector>
 
 #include <OpenImageIO/imagecache.h>
@@ -20,7 +20,6 @@ namespace moire {
 
 namespace {
 
-constexpr char name[] = "moire texture";
 constexpr char pyramid_attribute[] = "moire:pyramid";
 constexpr int tile = 64, channels = 3;
 
@@ -75,8 +74,41 @@ class PyramidInput final : public OIIO::ImageInput {
   int level_ = 0;
 };
 
-struct Destroy {
-  void operator()(OIIO::TextureSystem* system) const { OIIO::TextureSystem::destroy(system, true); }
+// The TextureSystem of the process, in which every texture is a file of its own. It is never destroyed: OpenImageIO
+// would delete it as another type than the one that it made.
+class System {
+ public:
+  static System& get() {
+    static System* const system = new System;
+    return *system;
+  }
+
+  OIIO::TextureSystem& operator*() { return *system_; }
+  OIIO::TextureSystem* operator->() { return system_; }
+
+  // A name that no other texture has, and room for that many megabytes of tiles until release().
+  OIIO::ustring reserve(float megabytes) {
+    const std::lock_guard lock(mutex_);
+    add(megabytes);
+    return OIIO::ustring(fmt::format("moire texture {}", ++textures_));
+  }
+  void release(OIIO::ustring file, float megabytes) {
+    const std::lock_guard lock(mutex_);
+    system_->invalidate(file, true);
+    add(-megabytes);
+  }
+
+ private:
+  System() : system_(OIIO::TextureSystem::create(false)) {}
+  void add(float megabytes) {
+    megabytes_ += megabytes;
+    system_->attribute("max_memory_MB", megabytes_);
+  }
+
+  OIIO::TextureSystem* system_;
+  std::mutex mutex_;
+  float megabytes_ = 64;
+  std::uint64_t textures_ = 0;
 };
 
 OIIO::TextureOpt::Wrap wrap_of(Wrap wrap) {
@@ -146,19 +178,17 @@ class PyramidTexture final : public OiioTexture {
       : width_(pyramid.level(0).width),
         height_(pyramid.level(0).height),
         wrap_(wrap),
-        system_(OIIO::TextureSystem::create(false)) {
-    const auto megabytes = static_cast<float>(8e-5 * width_ * height_) + 64;
-    system_->attribute("max_memory_MB", megabytes);
-    OIIO::ImageSpec config;
-    const Pyramid* const pointer = &pyramid;
-    config.attribute(pyramid_attribute, OIIO::TypeDesc::PTR, &pointer);
-    const OIIO::ustring file(name);
-    system_->imagecache()->add_file(
-        file, []() -> OIIO::ImageInput* { return new PyramidInput; }, &config);
-    texture_ = system_->get_texture_handle(file);
-    if (!texture_ || !system_->good(texture_)) refuse();
-    load(pyramid);
+        megabytes_(static_cast<float>(8e-5 * width_ * height_) + 1),
+        file_(system_.reserve(megabytes_)) {
+    try {
+      open(pyramid);
+    } catch (...) {
+      system_.release(file_, megabytes_);
+      throw;
+    }
   }
+  ~PyramidTexture() override { system_.release(file_, megabytes_); }
+  PyramidTexture(const PyramidTexture&) = delete;
 
   Color read(const SurfacePoint& point, const OiioOptions& options) const noexcept override {
     if (!std::isfinite(point.s) || !std::isfinite(point.t)) return nothing();
@@ -176,6 +206,17 @@ class PyramidTexture final : public OiioTexture {
   }
 
  private:
+  void open(const Pyramid& pyramid) {
+    OIIO::ImageSpec config;
+    const Pyramid* const pointer = &pyramid;
+    config.attribute(pyramid_attribute, OIIO::TypeDesc::PTR, &pointer);
+    system_->imagecache()->add_file(
+        file_, []() -> OIIO::ImageInput* { return new PyramidInput; }, &config);
+    texture_ = system_->get_texture_handle(file_);
+    if (!texture_ || !system_->good(texture_)) refuse();
+    load(pyramid);
+  }
+
   [[noreturn]] void refuse() const {
     throw Error(fmt::format("OpenImageIO: cannot hold a texture of {} x {} texels ({})", width_, height_,
                             one_line(system_->geterror())));
@@ -195,7 +236,9 @@ class PyramidTexture final : public OiioTexture {
 
   int width_, height_;
   Wrap wrap_;
-  std::unique_ptr<OIIO::TextureSystem, Destroy> system_;
+  System& system_ = System::get();
+  float megabytes_;
+  OIIO::ustring file_;
   OIIO::TextureSystem::TextureHandle* texture_ = nullptr;
 };
 
