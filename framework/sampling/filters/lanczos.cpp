@@ -1,20 +1,15 @@
 // Lanczos' filter: sinc(x) sinc(x / n), cut off at n (Duchon 1979,
 // doi:10.1175/1520-0450(1979)018<1016:LFIOAT>2.0.CO;2), divided by its integral.
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "sampling/filters.h"
+#include "sampling/filters/sinc.h"
 #include "sampling/filters/transform.h"
 
 namespace moire {
 
 namespace {
-
-double sinc(double x) {
-  const double angle = std::numbers::pi * x;
-  return angle == 0 ? 1 : std::sin(angle) / angle;
-}
 
 class Lanczos final : public Filter {
  public:

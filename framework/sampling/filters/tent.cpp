@@ -1,8 +1,9 @@
 // The tent, and the Bartlett windows of Maddock's Table 4.1, which are tents over the points of a pattern.
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "sampling/filters.h"
+#include "sampling/filters/sinc.h"
 
 namespace moire {
 
@@ -14,9 +15,8 @@ class Tent final : public Filter {
   double radius() const override { return radius_; }
   double at(double x) const override { return std::max(0.0, 1 - std::abs(x) / radius_) / radius_; }
   double transfer(double frequency) const override {
-    const double angle = std::numbers::pi * frequency * radius_;
-    const double sinc = angle == 0 ? 1 : std::sin(angle) / angle;
-    return sinc * sinc;
+    const double root = sinc(frequency * radius_);
+    return root * root;
   }
   std::span<const double> knots() const override { return {&radius_, 1}; }
 
