@@ -47,11 +47,12 @@ class FilteredRendering::Column {
 
   void look_at(int x, Counters& counters) {
     x_ = x;
-    if (strands_ && rendering_.sampler_.same_in_every_pixel()) {
+    if (strands_ && rendering_.sampler_.same_in_every_pixel() && !rendering_.light_seed_) {
       strands_->move_to(x);
     } else {
       const Pixel pixel{x, 0, rendering_.request_.frame_number, rendering_.request_.seed};
-      strands_ = Strands::with_places(rendering_.sampler_, pixel, top_, height_, rendering_.shift_);
+      strands_ =
+          Strands::with_places(rendering_.sampler_, pixel, top_, height_, rendering_.light_seed_, rendering_.shift_);
     }
     std::size_t points = 0;
     for (const Strand& strand : strands_->all()) points += strand.points.size();
@@ -149,9 +150,10 @@ class FilteredRendering::Column {
 };
 
 FilteredRendering::FilteredRendering(const PointSampler& sampler, const RenderRequest& request,
-                                     const FilterChoice& filter)
+                                     const FilterChoice& filter, LightSeed light_seed)
     : sampler_(sampler),
       request_(request),
+      light_seed_(light_seed),
       spacing_(spacing_of(sampler, request)),
       shift_(is_centred_on_points(filter.name) ? shift_to_middle(sampler, request) : Point{}),
       across_(filter, spacing_.x, shift_.x),

@@ -37,7 +37,8 @@ class FilterAxis {
 class FilteredRendering final : public Rendering {
  public:
   // Requires: the filter is not the box.
-  FilteredRendering(const PointSampler& sampler, const RenderRequest& request, const FilterChoice& filter);
+  FilteredRendering(const PointSampler& sampler, const RenderRequest& request, const FilterChoice& filter,
+                    LightSeed light_seed);
 
   // Error: the weights of a pixel have no sum to divide by.
   void render(PixelBlock& block) const override;
@@ -48,6 +49,7 @@ class FilteredRendering final : public Rendering {
 
   const PointSampler& sampler_;
   RenderRequest request_;
+  LightSeed light_seed_;
   Spacing spacing_;
   Point shift_;
   FilterAxis across_, down_;

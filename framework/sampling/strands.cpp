@@ -24,6 +24,12 @@ double checked_sum(std::span<const Points::Entry> points, const Pixel& pixel) {
                       "and have finite weights",
                       pixel.x, pixel.y, point.x, point.y, point.weight));
     }
+    if (point.light && !(point.light->u >= 0 && point.light->u < 1 && point.light->v >= 0 && point.light->v < 1)) {
+      throw Error(
+          fmt::format("pixel ({}, {}): the sampler gave point ({}, {}) of the light; such points lie in "
+                      "[0, 1) x [0, 1)",
+                      pixel.x, pixel.y, point.light->u, point.light->v));
+    }
     sum += point.weight;
   }
   if (sum == 0 || !std::isfinite(sum)) {
@@ -71,7 +77,8 @@ void order_upward(std::span<const Points::Entry> points, std::vector<std::pair<d
 
 }  // namespace
 
-Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, std::optional<Point> shift) {
+Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, LightSeed light_seed,
+                 std::optional<Point> shift) {
   const auto [left, up] = shift.value_or(Point{});
   Points points;
   Strips strips;
@@ -86,11 +93,17 @@ Strands::Strands(const PointSampler& sampler, Pixel pixel, int y0, int height, s
       strips.divide(points.entries());
       order_upward(points.entries(), order);
     }
+    std::optional<LightLattice> lights;
+    if (light_seed) lights.emplace(pixel, *light_seed, static_cast<std::uint32_t>(order.size()));
     if (strands_.size() < strips.count()) grow(strips.count(), order.size() * static_cast<std::size_t>(height));
     for (const auto& place : order) {
       const Points::Entry& point = points.entries()[place.second];
       Strand& strand = strands_[strips.of(point.x)];
       strand.points.push_back({pixel.x + (point.x - left), pixel.y + (point.y - up)});
+      if (lights) {
+        const LightPoint light = point.light.value_or(lights->point(place.second));
+        strand.points.back().u = light.u, strand.points.back().v = light.v;
+      }
       strand.offsets.push_back(point.x - left);
       strand.rows.push_back(static_cast<std::uint32_t>(row));
       strand.weights.push_back(point.weight / sum);

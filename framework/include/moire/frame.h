@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 
+#include <moire/curves.h>
 #include <moire/filter.h>
 #include <moire/geometry.h>
+#include <moire/receivers.h>
 #include <moire/tally.h>
 #include <moire/texture.h>
 
@@ -96,6 +98,8 @@ class Averages {
   // only if the scene answers Questions::filtered_averages. Returns a bound on the error of any channel of any of
   // these pixels, 0 where rounding is all there is. Recorded fragments name elements as trace() does.
   virtual double integrate(const Filter* filter, PixelBlock& block) const = 0;
+  // The blocks that cost least. Rows: blocks may be any rectangles.
+  virtual Blocks blocks() const { return Blocks::rows; }
 };
 
 // amplitude * cos(2 pi (fx x + fy y) + phase), frequencies in cycles a pixel, phase in radians at (0, 0) of the image.
@@ -116,9 +120,6 @@ class Spectrum {
   virtual double amplitude() const { return 0; }
 };
 
-// Lines and circles with their real end points; defined by the first scene that has them.
-class Curves;
-
 // Immutable, and safe to use from many threads. A question that the scene has no structure for is a null pointer.
 class Frame {
  public:
@@ -135,6 +136,8 @@ class Frame {
   virtual const Polygons* polygons() const { return nullptr; }
   virtual const Surface* surface() const { return nullptr; }
   virtual const Curves* curves() const { return nullptr; }
+  // Null: the light is no area, and (u, v) of a sample point means nothing.
+  virtual const Receivers* receivers() const { return nullptr; }
   virtual const Averages* averages() const { return nullptr; }
   virtual const Spectrum* spectrum() const { return nullptr; }
 };

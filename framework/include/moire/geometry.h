@@ -14,7 +14,12 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-// A point of the image and, for scenes with an area light, a point (u, v) in [0, 1) x [0, 1) of the light.
+// A point of an area light: (u, v) in [0, 1) x [0, 1), where equal areas stand for equal areas of the light.
+struct LightPoint {
+  float u = 0.5F, v = 0.5F;
+};
+
+// A point of the image and, for scenes with an area light, a point of the light.
 struct SamplePoint {
   double x = 0, y = 0;
   float u = 0.5F, v = 0.5F;

@@ -18,7 +18,7 @@
 namespace moire {
 
 // Rises whenever a type or function of the SDK changes so that plugins must be rebuilt.
-inline constexpr std::uint32_t interface_version = 4;
+inline constexpr std::uint32_t interface_version = 5;
 
 enum class Kind : std::uint32_t { sampler = 1, scene = 2 };
 
@@ -34,6 +34,7 @@ enum class Questions : std::uint32_t {
   averages = 64,            // Frame::averages over pixels
   filtered_averages = 128,  // Frame::averages under any filter
   spectrum = 256,           // Frame::spectrum
+  receivers = 512,          // Frame::receivers
 };
 constexpr Questions operator|(Questions a, Questions b) {
   return static_cast<Questions>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));

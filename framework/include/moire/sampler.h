@@ -54,17 +54,22 @@ struct Spacing {
   double x = 1, y = 1;
 };
 
-// The points of one pixel.
+// The points of one pixel. Where a frame has an area light, each of them sees it at one point: of those that give none
+// the host chooses, for the points of a pixel together a lattice over the light, moved at random from pixel to pixel.
 class Points {
  public:
   struct Entry {
     double x, y, weight;
-    Point moved = {};  // from its place in a regular pattern, which is what a filter weighs
+    Point moved = {};                      // from its place in a regular pattern, which is what a filter weighs
+    std::optional<LightPoint> light = {};  // nothing: the host chooses
   };
   // (x, y) in [0, 1) x [0, 1) of the pixel. Weights are divided by their sum.
   void add(double x, double y, double weight = 1) { entries_.push_back({x, y, weight}); }
   // A point of a regular pattern that was moved to (x, y): a filter gives it the weight of its place.
   void add_moved(Point place, double x, double y) { entries_.push_back({x, y, 1, {x - place.x, y - place.y}}); }
+
+  // A point of the pixel and of the light.
+  void add_lit(double x, double y, LightPoint light) { entries_.push_back({x, y, 1, {}, light}); }
 
   std::span<const Entry> entries() const { return entries_; }
   void clear() { entries_.clear(); }

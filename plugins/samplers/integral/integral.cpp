@@ -17,8 +17,7 @@ class Integrated final : public moire::Rendering {
     while (bound > largest && !bound_.compare_exchange_weak(largest, bound, std::memory_order_relaxed)) {
     }
   }
-  // Scenes go along rows: what they find out about one serves all of its pixels.
-  moire::Blocks blocks() const override { return moire::Blocks::rows; }
+  moire::Blocks blocks() const override { return averages_.blocks(); }
   double error_bound() const override { return bound_.load(std::memory_order_relaxed); }
 
  private:

@@ -1,13 +1,12 @@
 // What all kinds of pattern share: where their middle is, their two colours, their elements, directions.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include <moire/color.h>
 #include <moire/element.h>
 #include <moire/geometry.h>
+#include <moire/turn.h>
 
 namespace pattern {
 
@@ -36,22 +35,10 @@ struct Look {
   moire::Point middle() const { return {0.5 * size.width + view.x, 0.5 * size.height + view.y}; }
 };
 
-// The unit vector `degrees` clockwise of the x axis: exact at multiples of 90, equal components at odd ones of 45.
+// The unit vector `degrees` clockwise of the x axis.
 inline moire::Point direction(double degrees) {
-  const double turned = std::remainder(degrees, 360);
-  const double quarters = std::nearbyint(turned / 90), rest = turned - 90 * quarters;
-  const double angle = rest * (std::numbers::pi / 180), c = std::cos(angle);
-  const double s = std::abs(rest) == 45 ? std::copysign(c, rest) : std::sin(angle);
-  switch ((static_cast<int>(quarters) + 4) % 4) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
+  const moire::Turn turn = moire::turn_of(degrees);
+  return {turn.cosine, turn.sine};
 }
 
 constexpr double dot(moire::Point p, moire::Point q) { return p.x * q.x + p.y * q.y; }

@@ -40,7 +40,7 @@ class LevelView {
   double row_of(double ahead) const;
 
  private:
-  Turn pitch_;
+  moire::Turn pitch_;
   double height_, focal_, center_x_;
   bool along_s_, rises_ahead_;
   Place line0_, place0_;

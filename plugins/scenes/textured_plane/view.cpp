@@ -26,23 +26,6 @@ double beyond_quarters(double degrees) { return std::remainder(degrees, 90); }
 
 }  // namespace
 
-Turn turn_of(double degrees) {
-  int quarters = 0;
-  const double rest = std::remquo(degrees, 90, &quarters) * (std::numbers::pi / 180);
-  // No zero is negative: quotients by it have a sign.
-  const double c = std::cos(rest), s = std::sin(rest) + 0.0;
-  switch (quarters & 3) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {0.0 - s, c};
-    case 2:
-      return {-c, 0.0 - s};
-    default:
-      return {s, -c};
-  }
-}
-
 Camera camera_of(const moire::Settings& settings, moire::ImageSize size, double texel) {
   return {.size = size,
           .x = settings.real("view.x") / texel,
@@ -63,24 +46,24 @@ View::View(const Camera& camera)
       far_(camera.far),
       s0_(camera.x),
       t0_(camera.y),
-      yaw_(turn_of(camera.yaw_deg)),
-      pitch_(turn_of(camera.pitch_deg)),
-      roll_(turn_of(camera.roll_deg)),
+      yaw_(moire::turn_of(camera.yaw_deg)),
+      pitch_(moire::turn_of(camera.pitch_deg)),
+      roll_(moire::turn_of(camera.roll_deg)),
       aligned_(beyond_quarters(camera.yaw_deg) == 0 && std::remainder(camera.roll_deg, 360) == 0) {
   // Pixels to the right and down in a picture with a level horizon.
-  const Linear right{roll_.cos, -roll_.sin, 0}, down{roll_.sin, roll_.cos, 0}, one{0, 0, 1};
-  const Linear ahead = combined(pitch_.cos, one, pitch_.sin / focal_, down);
-  fall_ = combined(-pitch_.sin, one, pitch_.cos / focal_, down);
-  s_ = combined(height_ * yaw_.cos, ahead, -height_ * yaw_.sin / focal_, right);
-  t_ = combined(height_ * yaw_.sin, ahead, height_ * yaw_.cos / focal_, right);
+  const Linear right{roll_.cosine, -roll_.sine, 0}, down{roll_.sine, roll_.cosine, 0}, one{0, 0, 1};
+  const Linear ahead = combined(pitch_.cosine, one, pitch_.sine / focal_, down);
+  fall_ = combined(-pitch_.sine, one, pitch_.cosine / focal_, down);
+  s_ = combined(height_ * yaw_.cosine, ahead, -height_ * yaw_.sine / focal_, right);
+  t_ = combined(height_ * yaw_.sine, ahead, height_ * yaw_.cosine / focal_, right);
   nearness_ = combined(far_, fall_, -height_, ahead);
 }
 
 moire::Point View::image_of(double s, double t) const {
-  const double ahead = s * yaw_.cos + t * yaw_.sin, aside = t * yaw_.cos - s * yaw_.sin;
-  const double scale = focal_ / (ahead * pitch_.cos - height_ * pitch_.sin);
-  const double right = scale * aside, down = scale * (ahead * pitch_.sin + height_ * pitch_.cos);
-  return {right * roll_.cos + down * roll_.sin, down * roll_.cos - right * roll_.sin};
+  const double ahead = s * yaw_.cosine + t * yaw_.sine, aside = t * yaw_.cosine - s * yaw_.sine;
+  const double scale = focal_ / (ahead * pitch_.cosine - height_ * pitch_.sine);
+  const double right = scale * aside, down = scale * (ahead * pitch_.sine + height_ * pitch_.cosine);
+  return {right * roll_.cosine + down * roll_.sine, down * roll_.cosine - right * roll_.sine};
 }
 
 void check_reach(const View& view) {

@@ -4,14 +4,9 @@
 
 #include <moire/geometry.h>
 #include <moire/settings.h>
+#include <moire/turn.h>
 
 namespace textured_plane {
-
-// A direction in the plane. Quarter turns are exact.
-struct Turn {
-  double cos = 1, sin = 0;
-};
-Turn turn_of(double degrees);
 
 // u and v are pixels to the right of the picture's middle and below it.
 struct Linear {
@@ -44,8 +39,8 @@ class View {
   double far() const { return far_; }
   double s0() const { return s0_; }
   double t0() const { return t0_; }
-  Turn yaw() const { return yaw_; }
-  Turn pitch() const { return pitch_; }
+  moire::Turn yaw() const { return yaw_; }
+  moire::Turn pitch() const { return pitch_; }
 
   const Linear& s() const { return s_; }
   const Linear& t() const { return t_; }
@@ -56,7 +51,9 @@ class View {
   bool is_aligned() const { return aligned_; }
 
   // How deep before the camera a point of the plane lies, given from the foot of the camera: height / W.
-  double depth(double s, double t) const { return (s * yaw_.cos + t * yaw_.sin) * pitch_.cos - height_ * pitch_.sin; }
+  double depth(double s, double t) const {
+    return (s * yaw_.cosine + t * yaw_.sine) * pitch_.cosine - height_ * pitch_.sine;
+  }
   // The place of such a point in the picture, from its middle. Requires: its depth is above 0.
   moire::Point image_of(double s, double t) const;
 
@@ -64,7 +61,7 @@ class View {
   moire::ImageSize size_;
   moire::Point center_;
   double focal_, height_, far_, s0_, t0_;
-  Turn yaw_, pitch_, roll_;
+  moire::Turn yaw_, pitch_, roll_;
   bool aligned_;
   Linear s_, t_, fall_, nearness_;
 };

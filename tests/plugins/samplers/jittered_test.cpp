@@ -32,13 +32,13 @@ TEST_CASE("every cell of the grid has one point, within the amount of its middle
       const auto points = points_of(*jittered, {12, 34, 0, 1});
       REQUIRE(points.size() == static_cast<std::size_t>(n * n));
       for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto& [x, y, weight, moved] = points[k];
+        const auto& [x, y, weight, moved, light] = points[k];
         const double i = std::floor(static_cast<double>(k) / side), j = static_cast<double>(k) - side * i;
         const double across = x * side - (i + 0.5), down = y * side - (j + 0.5);
         // Products and quotients of numbers up to 64 are rounded by less than 1e-13.
         if (std::max(std::abs(across), std::abs(down)) > amount / 2 + 1e-13) ++wrong;
         if (std::abs(moved.x * side - across) > 1e-13 || std::abs(moved.y * side - down) > 1e-13) ++wrong;
-        if (weight != 1 || x < 0 || x >= 1 || y < 0 || y >= 1) ++wrong;
+        if (light || weight != 1 || x < 0 || x >= 1 || y < 0 || y >= 1) ++wrong;
         farthest = std::max({farthest, std::abs(across), std::abs(down)});
       }
       CHECK(wrong == 0);

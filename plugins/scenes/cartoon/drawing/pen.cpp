@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include <moire/error.h>
-
-#include "turning.h"
+#include <moire/turn.h>
 
 namespace cartoon {
 
@@ -33,7 +32,7 @@ struct Arc {
 
 // SVG 1.1, F.6.5 and F.6.6, with lengths in place of squares, which would leave the range of numbers.
 bool find_arc(Point from, Point to, double rx, double ry, double angle_deg, bool large, bool rising, Arc& arc) {
-  const Turning turning = turning_of(angle_deg);
+  const moire::Turn turning = moire::turn_of(angle_deg);
   const double hx = (from.x - to.x) / 2, hy = (from.y - to.y) / 2;
   double x = (turning.cosine * hx + turning.sine * hy) / rx, y = (turning.cosine * hy - turning.sine * hx) / ry;
   const double half = std::hypot(x, y);  // of the chord, where the ellipse is the unit circle

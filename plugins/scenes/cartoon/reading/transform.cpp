@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include <moire/error.h>
+#include <moire/turn.h>
 
 #include "drawing/drawing.h"
-#include "drawing/turning.h"
 #include "numbers.h"
 
 namespace cartoon {
@@ -20,7 +20,7 @@ namespace {
 using moire::Affine;
 
 double tangent(double degrees) {
-  const Turning turning = turning_of(degrees);
+  const moire::Turn turning = moire::turn_of(degrees);
   return turning.sine / turning.cosine;
 }
 
@@ -45,7 +45,7 @@ constexpr Function functions[] = {
      {1, 3, 0},
      "angle, or angle cx cy",
      [](std::span<const double> a) {
-       const Turning t = turning_of(a[0]);
+       const moire::Turn t = moire::turn_of(a[0]);
        const Affine turn{t.cosine, -t.sine, 0, t.sine, t.cosine, 0};
        if (a.size() == 1) return turn;
        return then(then(Affine{.x0 = -a[1], .y0 = -a[2]}, turn), Affine{.x0 = a[1], .y0 = a[2]});

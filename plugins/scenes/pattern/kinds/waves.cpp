@@ -58,6 +58,9 @@ class Waves final : public PatternFrame<Waves>, private moire::Spectrum {
   }
 
  private:
+  // Sums over waves run down a column.
+  moire::Blocks blocks() const override { return moire::Blocks::columns; }
+
   // The value in the pixel's middle, times what the filter leaves of each wave. About the image's middle row every wave
   // is the sum of an even and an odd function of y, and rows that lie opposite share both.
   double integrate(const moire::Filter* filter, moire::PixelBlock& block) const override {
