@@ -25,7 +25,8 @@ std::string in_words(Questions questions) {
       {Questions::curves, "lines and circles with their ends"},
       {Questions::averages, "exact averages over pixels"},
       {Questions::filtered_averages, "exact averages under filters"},
-      {Questions::spectrum, "known frequencies"}};
+      {Questions::spectrum, "known frequencies"},
+      {Questions::receivers, "receivers of an area light"}};
   std::vector<std::string_view> words;
   for (const auto& [question, name] : all) {
     if ((questions & question) != Questions::none) words.push_back(name);

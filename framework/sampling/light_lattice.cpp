@@ -1,17 +1,13 @@
 #include "sampling/light_lattice.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
+#include <moire/lattice.h>
 #include <moire/random.h>
 
 namespace moire {
 
 namespace {
-
-// Rounding to float may reach 1.
-float below_one(double x) { return std::min(static_cast<float>(x - std::floor(x)), 0x1.fffffep-1F); }
 
 // A kind of random number that no sampler asks for.
 constexpr std::uint32_t of_light = 0x6c696768;
@@ -30,9 +26,7 @@ LightLattice::LightLattice(Pixel pixel, std::uint64_t seed, std::uint32_t count)
 }
 
 LightPoint LightLattice::point(std::uint32_t k) const {
-  constexpr double g = 1.32471795724474602596;
-  const auto index = static_cast<double>((first_ + static_cast<std::uint64_t>(k) * step_) % count_);
-  return {below_one(u_ + index / g), below_one(v_ + index / (g * g))};
+  return r2_lattice(u_, v_, (first_ + static_cast<std::uint64_t>(k) * step_) % count_);
 }
 
 }  // namespace moire

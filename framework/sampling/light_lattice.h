@@ -17,8 +17,7 @@ inline LightSeed light_seed_of(const RenderRequest& request, bool is_determinist
   return is_deterministic ? 0 : request.seed;
 }
 
-// The first `count` points of the R2 lattice, moved at random from pixel to pixel (Roberts 2018, "The Unreasonable
-// Effectiveness of Quasirandom Sequences": steps of 1/g and 1/g^2, g^3 = g + 1), in a random order, so that a pixel's
+// The first `count` points of the R2 lattice, moved at random from pixel to pixel, in a random order, so that a pixel's
 // upper points do not see one side of the light. It stands still in an animation.
 class LightLattice {
  public:

@@ -14,7 +14,9 @@ class Pattern final : public PointSampler {
   explicit Pattern(std::vector<Points::Entry> points) : points_(std::move(points)) {}
   void points(const Pixel&, Points& out) const override {
     ++asked;
-    for (const Points::Entry& p : points_) out.add(p.x, p.y, p.weight);
+    for (const Points::Entry& p : points_) {
+      p.light ? out.add_lit(p.x, p.y, *p.light) : out.add(p.x, p.y, p.weight);
+    }
   }
   bool same_in_every_pixel() const override { return true; }
 

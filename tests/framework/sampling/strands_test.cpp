@@ -101,4 +101,61 @@ TEST_CASE("weights that sum to nothing are refused, since they are divided by th
         "pixel (3, 7): the sampler gave points whose weights sum to inf; the sum is a finite number other than 0");
 }
 
+TEST_CASE("a point of the light goes with its point, and the host gives one to those that have none") {
+  Points::Entry lit{0.25, 0.5, 1}, other{0.25, 0.75, 1};
+  lit.light = {0.125F, 0.625F};
+  const Strands strands(Pattern({lit, other}), {4, 0}, 0, 1, 7);
+  REQUIRE(strands.all().size() == 1);
+  const auto& points = strands.all()[0].points;
+  CHECK((points[1].u == 0.125F && points[1].v == 0.625F));
+  CHECK((points[0].u != 0.5F && points[0].v != 0.5F));
+  const Strands dark(Pattern({lit, other}), {4, 0}, 0, 1);
+  CHECK((dark.all()[0].points[1].u == 0.5F && dark.all()[0].points[1].v == 0.5F));
+}
+
+TEST_CASE(
+    "the host's points of the light are spread over it in each pixel, and differ from pixel to pixel and by seed") {
+  constexpr std::uint32_t count = 64;
+  const auto counts_in = [](const Pixel& pixel, std::uint64_t seed) {
+    // Of the 16 cells of a 4 x 4 grid: 4 points each if they were perfectly even.
+    std::vector<int> cells(16);
+    const LightLattice lattice(pixel, seed, count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const LightPoint p = lattice.point(k);
+      REQUIRE((p.u >= 0 && p.u < 1 && p.v >= 0 && p.v < 1));
+      ++cells[static_cast<std::size_t>(p.u * 4) * 4 + static_cast<std::size_t>(p.v * 4)];
+    }
+    return cells;
+  };
+  for (int x = 0; x < 50; ++x) {
+    // Independent points leave a cell empty with probability .24 a pixel, and some cell with 9 or more of .27.
+    for (const int cell : counts_in({x, 3}, 1)) CHECK((cell >= 1 && cell <= 8));
+  }
+  const auto first = [](const Pixel& pixel, std::uint64_t seed) { return LightLattice(pixel, seed, count).point(0).u; };
+  CHECK(first({5, 3}, 1) != first({6, 3}, 1));
+  CHECK(first({5, 3}, 1) != first({5, 3}, 2));
+  CHECK(first({5, 3, 0}, 1) == first({5, 3, 9}, 1));
+}
+
+TEST_CASE("over pixels a point's place on the light is uniform whichever of a pixel's points it is") {
+  // The mean of u of 4,000 independent uniform numbers is .5 +- .0046; six times that is 1 in 10^9.
+  constexpr int pixels = 4000;
+  for (const std::uint32_t k : {0U, 3U, 15U}) {
+    double u = 0, v = 0;
+    for (int x = 0; x < pixels; ++x) {
+      const LightPoint p = LightLattice({x, 11}, 5, 16).point(k);
+      u += p.u, v += p.v;
+    }
+    CHECK(std::abs(u / pixels - 0.5) < 6 * 0.0046);
+    CHECK(std::abs(v / pixels - 0.5) < 6 * 0.0046);
+  }
+}
+
+TEST_CASE("points outside the light are refused") {
+  Points::Entry lit{0.25, 0.5, 1};
+  lit.light = {1, 0.5F};
+  CHECK(complaint({lit}) ==
+        "pixel (3, 7): the sampler gave point (1, 0.5) of the light; such points lie in [0, 1) x [0, 1)");
+}
+
 }  // namespace moire::test
