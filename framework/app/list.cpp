@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,21 +41,25 @@ std::vector<Section> sections(const Session& session) {
           {"lookups", options(session.vocabulary.lookups)}, {"filters", options(session.vocabulary.filters)}};
 }
 
-// Why a sampler cannot run on a scene, both with their default settings; empty where it can.
-std::string refusal(const Session& session, const Plugin& scene, const Plugin& sampler) {
-  return mismatch({scene.name, &scene, Settings(scene.parameters())},
-                  {sampler.name, &sampler, Settings(sampler.parameters()), std::string(sampler.sampler->lookup)},
-                  session.vocabulary);
+SceneChoice scene_choice(const Plugin& plugin) { return {plugin.name, &plugin, Settings(plugin.parameters())}; }
+
+SamplerChoice sampler_choice(const Plugin& plugin) {
+  return {plugin.name, &plugin, Settings(plugin.parameters()), std::string(plugin.sampler->lookup)};
 }
 
+// One line of what runs, and one for each thing that some scenes do not have.
 void print_pairs(const Session& session) {
   fmt::print("\nwhich sampler runs on which scene (with default settings)\n");
   for (const Plugin* sampler : session.catalog.all(Kind::sampler)) {
-    fmt::print("  {:<16}", sampler->name);
+    std::vector<std::string_view> run;
+    std::map<std::string, std::vector<std::string_view>> refused;
     for (const Plugin* scene : session.catalog.all(Kind::scene)) {
-      fmt::print(" {}{}", refusal(session, *scene, *sampler).empty() ? "" : "not ", scene->name);
+      const std::string missing = missing_for(scene_choice(*scene), sampler_choice(*sampler), session.vocabulary);
+      (missing.empty() ? run : refused[missing]).push_back(scene->name);
     }
-    fmt::print("\n");
+    fmt::print("  {:<16} {}\n", sampler->name, run.empty() ? "none" : fmt::format("{}", fmt::join(run, " ")));
+    for (const auto& [missing, scenes] : refused)
+      fmt::print("  {:<16} not {}: no {}\n", "", fmt::join(scenes, ", "), missing);
   }
 }
 
@@ -66,7 +71,7 @@ nlohmann::ordered_json as_json_object(const Session& session, const std::vector<
   }
   for (const Plugin* sampler : session.catalog.all(Kind::sampler)) {
     for (const Plugin* scene : session.catalog.all(Kind::scene)) {
-      const std::string why_not = refusal(session, *scene, *sampler);
+      const std::string why_not = mismatch(scene_choice(*scene), sampler_choice(*sampler), session.vocabulary);
       json["pairs"].push_back(
           {{"sampler", sampler->name}, {"scene", scene->name}, {"runs", why_not.empty()}, {"why_not", why_not}});
     }

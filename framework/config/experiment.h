@@ -82,6 +82,8 @@ struct Overrides {
 // is wrong, one line each: `file:line: path: what is wrong (found); what would be right`.
 Experiment read_experiment(const std::filesystem::path& path, const Vocabulary& vocabulary, const Overrides& overrides);
 
+// What this sampler asks for and this scene does not have; empty where it can run.
+std::string missing_for(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary);
 // Why this sampler cannot run on this scene; empty where it can.
 std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary);
 // Why this pass cannot be run over this scene; empty where it can.

@@ -58,11 +58,11 @@ std::string advice_on(Questions questions, const SceneChoice& scene, const Vocab
   return names.empty() ? "no known scene does" : "scenes that do: " + listed(names);
 }
 
-// Who asks for what, and why if that is not plain from the name.
-std::string refusal(std::string_view who, Questions missing, std::string_view why, const SceneChoice& scene,
+// Who asks for what.
+std::string refusal(std::string_view who, const std::string& missing, const SceneChoice& scene,
                     const std::string& advice) {
-  return fmt::format("\"{}\" asks for {}{}, which scene \"{}\" ({}) does not have; {}", who, in_words(missing), why,
-                     scene.name, scene.plugin->name, advice);
+  return fmt::format("\"{}\" asks for {}, which scene \"{}\" ({}) does not have; {}", who, missing, scene.name,
+                     scene.plugin->name, advice);
 }
 
 Questions missing_in(const SceneChoice& scene, Questions questions) {
@@ -71,20 +71,25 @@ Questions missing_in(const SceneChoice& scene, Questions questions) {
 
 }  // namespace
 
-std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary) {
-  const Questions questions = asked(sampler, vocabulary), missing = missing_in(scene, questions);
+std::string missing_for(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary) {
+  const Questions missing = missing_in(scene, asked(sampler, vocabulary));
   if (missing == Questions::none) return "";
   const Questions own = sampler.plugin->sampler->asks(sampler.settings);
   const bool is_for_lookup = without(missing & Questions::surface, own) != Questions::none;
-  return refusal(sampler.name, missing, is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "",
-                 scene, advice_on(questions, scene, vocabulary));
+  return in_words(missing) + (is_for_lookup ? fmt::format(" (for its lookup, {})", sampler.lookup) : "");
+}
+
+std::string mismatch(const SceneChoice& scene, const SamplerChoice& sampler, const Vocabulary& vocabulary) {
+  const std::string missing = missing_for(scene, sampler, vocabulary);
+  if (missing.empty()) return "";
+  return refusal(sampler.name, missing, scene, advice_on(asked(sampler, vocabulary), scene, vocabulary));
 }
 
 std::string mismatch(const SceneChoice& scene, const PassDescription& pass, const Settings& settings,
                      const Vocabulary& vocabulary) {
   const Questions questions = pass.asks(settings), missing = missing_in(scene, questions);
   if (missing == Questions::none) return "";
-  return refusal(pass.name, missing, "", scene, advice_on(questions, scene, vocabulary));
+  return refusal(pass.name, in_words(missing), scene, advice_on(questions, scene, vocabulary));
 }
 
 }  // namespace moire

@@ -82,6 +82,22 @@ TEST_CASE("list names what there is, and as JSON too") {
     }
   }
   CHECK(json.at("pairs").size() == json.at("samplers").size() * json.at("scenes").size());
+  std::size_t refused = 0;
+  for (const auto& pair : json.at("pairs")) {
+    INFO(pair.dump());
+    const auto why_not = pair.at("why_not").get<std::string>();
+    CHECK(why_not.empty() == pair.at("runs").get<bool>());
+    if (why_not.empty()) continue;
+    ++refused;
+    const auto names = [&](const char* key) { return pair.at(key).get<std::string>(); };
+    CHECK(why_not.starts_with(fmt::format("\"{}\" asks for ", names("sampler"))));
+    CHECK(why_not.find(fmt::format("scene \"{}\"", names("scene"))) != std::string::npos);
+    // Below the sampler's line, before the next one's.
+    const std::size_t line = text.out.find("\n  " + names("sampler") + " ", text.out.find("\nwhich sampler"));
+    const std::size_t reason = text.out.find("not ", line), scene = text.out.find(names("scene"), reason);
+    CHECK((line != text.out.npos && scene != text.out.npos));
+  }
+  CHECK(refused > 0);
   CHECK(nlohmann::json::parse(desk.moire({"list", "--json", "metrics"}).out).at("metrics") == json.at("metrics"));
 }
 

@@ -22,8 +22,9 @@ class Samples {
   }
 
   // Looks at points and numbers them on from the last ones; ends[k] is behind the last point of batch k. `spacing`:
-  // of the points, what lookups filter over. Counts the work.
-  void look_at(std::span<const moire::SamplePoint> points, std::span<const std::size_t> ends, moire::Spacing spacing,
+  // of the points, what lookups filter over. Counts the work. Under an area light each is given a point of it, which
+  // depends on its place: pixels that share a corner see the same there.
+  void look_at(std::span<moire::SamplePoint> points, std::span<const std::size_t> ends, moire::Spacing spacing,
                moire::Counters& counters);
 
   std::size_t count() const { return seen_.size(); }
