@@ -1,0 +1,151 @@
+// Two-point lines: in every column the two pixels around the line, each by how near it is. After Wu 1991,
+// doi:10.1145/122718.122734, mended: weights at the right pixels, the middle column once, slope 1 a case of its own.
+#pragma once
+
+#include "columns.h"
+#include "octant.h"
+#include "reach.h"
+
+namespace scan_conversion {
+
+enum class LineMethod { accumulator, direct, fujimoto_iwata };
+
+struct TwoPointLines {
+  LineMethod method = LineMethod::accumulator;
+  int bits = 32;        // n of the accumulator
+  int grey_bits = 8;    // m: intensities are of 2^m - 1
+  bool ceiling = true;  // d = ceil(k 2^n), else floor(k 2^n + 1/2)
+  bool both_ends = true;
+
+  std::uint32_t full() const { return (std::uint32_t{1} << grey_bits) - 1; }
+  // Lines of more columns than d = ceil(k 2^n) is exact for, if that may be mended by a word of 64 bits.
+  bool is_wide(double columns) const {
+    return bits > 32 || (bits == 32 && ceiling && columns * columns > std::ldexp(1.0, bits - grey_bits + 1));
+  }
+  int word_bits(bool wide) const { return wide && bits <= 32 ? 64 : bits; }
+  // d of n bits, 2^n where it does not fit. Requires: 0 <= rise <= columns, 0 < columns.
+  Wide increment(std::int64_t rise, std::int64_t columns, int n) const;
+  Wide increment(double slope, int n) const;
+};
+
+inline Wide TwoPointLines::increment(std::int64_t rise, std::int64_t columns, int n) const {
+  const auto divide = [this, columns](auto numerator) {
+    const auto c = static_cast<decltype(numerator)>(columns);
+    return ceiling ? (numerator + c - 1) / c : (2 * numerator + c) / (2 * c);
+  };
+  const Wide numerator = static_cast<Wide>(rise) << n;
+  // The machine divides 64 bits much faster.
+  if (numerator >> 60 == 0) return divide(static_cast<std::uint64_t>(numerator));
+  return divide(numerator);
+}
+inline Wide TwoPointLines::increment(double slope, int n) const {
+  const double scaled = std::ldexp(slope, n);
+  return static_cast<Wide>(ceiling ? std::ceil(scaled) : std::floor(scaled + 0.5));
+}
+
+namespace two_point {
+
+// One after another: the pixels of `columns`.
+template <class Walk, class Put>
+void draw(const Octant& octant, Walk walk, Range columns, Put&& put) {
+  if (columns.empty()) return;
+  walk.go_to(columns.first);
+  const std::int64_t row = walk.row_at(columns.first);
+  int x = static_cast<int>(octant.x(columns.first, row)), y = static_cast<int>(octant.y(columns.first, row));
+  const Step column = octant.column, up = octant.row;
+  for (std::int64_t i = columns.first; i < columns.end; ++i) {
+    put(x, y, walk.lower());
+    put(x + up.x, y + up.y, walk.upper());
+    const int rows = walk.next();
+    x += column.x + rows * up.x;
+    y += column.y + rows * up.y;
+  }
+}
+
+// The same columns from both ends at once, which share all that is computed. Requires: the line rises.
+template <class Walk, class Put>
+void draw(const Octant& a, const Octant& b, Walk walk, Range columns, Put&& put) {
+  if (columns.empty()) return;
+  walk.go_to(columns.first);
+  const std::int64_t row = walk.row_at(columns.first);
+  int ax = static_cast<int>(a.x(columns.first, row)), ay = static_cast<int>(a.y(columns.first, row));
+  int bx = static_cast<int>(b.x(columns.first, row)), by = static_cast<int>(b.y(columns.first, row));
+  // Seen from the other end all steps are the opposite ones.
+  const Step column = a.column, up = a.row;
+  for (std::int64_t i = columns.first; i < columns.end; ++i) {
+    put(ax, ay, walk.lower());
+    put(ax + up.x, ay + up.y, walk.upper());
+    put(bx, by, walk.lower());
+    put(bx - up.x, by - up.y, walk.upper());
+    const int rows = walk.next(), dx = column.x + rows * up.x, dy = column.y + rows * up.y;
+    ax += dx;
+    ay += dy;
+    bx -= dx;
+    by -= dy;
+  }
+}
+
+template <class Walk, class Put>
+void draw_visible(const Octant& octant, const Walk& walk, Range columns, const moire::PixelArea& area, Put& put) {
+  const Visible part = visible(octant, columns, area, 0, 1, [&](std::int64_t i) { return walk.row_at(i); });
+  if (part.all) {
+    draw(octant, walk, part.columns, put);
+  } else {
+    draw(octant, walk, part.columns, Clipped{area, put});
+  }
+}
+
+// From one end or from both towards the middle, where the column of an even number belongs to the first.
+template <class Walk, class Put>
+void draw_line(bool both_ends, PixelIndex from, PixelIndex to, const Walk& walk, const moire::PixelArea& area,
+               Put& put) {
+  const Octant near = octant_of(from, to);
+  if (!both_ends) return draw_visible(near, walk, {0, near.columns + 1}, area, put);
+  const Octant far = octant_of(to, from);
+  const auto row_at = [&](std::int64_t i) { return walk.row_at(i); };
+  const std::int64_t mirrored = (near.columns + 1) / 2;
+  const Visible a = visible(near, {0, mirrored}, area, 0, 1, row_at);
+  const Visible b = visible(far, {0, mirrored}, area, 0, 1, row_at);
+  if (a.all && b.all && a.columns.end - a.columns.first == mirrored && b.columns.end - b.columns.first == mirrored) {
+    draw(near, far, walk, a.columns, put);
+  } else {
+    draw_visible(near, walk, {0, mirrored}, area, put);
+    draw_visible(far, walk, {0, mirrored}, area, put);
+  }
+  if (near.columns % 2 == 0) draw_visible(near, walk, {mirrored, mirrored + 1}, area, put);
+}
+
+// Lines along pixels and along their diagonals: one pixel a column.
+template <class Put>
+void draw_single(PixelIndex from, PixelIndex to, std::uint32_t full, const moire::PixelArea& area, Put& put) {
+  const Octant octant = octant_of(from, to);
+  const int rise = octant.rise == 0 ? 0 : 1;
+  const auto row_at = [rise](std::int64_t i) { return rise * i; };
+  const Range columns = visible(octant, {0, octant.columns + 1}, area, 0, 0, row_at).columns;
+  for (std::int64_t i = columns.first; i < columns.end; ++i) {
+    put(static_cast<int>(octant.x(i, rise * i)), static_cast<int>(octant.y(i, rise * i)), full);
+  }
+}
+
+}  // namespace two_point
+
+// From the middle of one pixel to that of another.
+template <class Put>
+void two_point_line(const TwoPointLines& how, PixelIndex from, PixelIndex to, const moire::PixelArea& area, Put&& put) {
+  const Octant octant = octant_of(from, to);
+  if (octant.rise == 0 || octant.rise == octant.columns) {
+    return two_point::draw_single(from, to, how.full(), area, put);
+  }
+  const auto draw = [&](const auto& walk) { two_point::draw_line(how.both_ends, from, to, walk, area, put); };
+  const Slope slope{static_cast<double>(octant.columns), static_cast<double>(octant.rise)};
+  if (how.method == LineMethod::direct) return draw(Direct<false>(slope, how.grey_bits));
+  if (how.method == LineMethod::fujimoto_iwata) return draw(PerPixel<false>(slope, how.grey_bits));
+  const bool wide = how.is_wide(slope.columns);
+  const int n = how.word_bits(wide);
+  const Wide d = how.increment(octant.rise, octant.columns, n);
+  if (d >> n != 0) return draw(Straight(1, 0, how.grey_bits));
+  if (wide) return draw(Accumulator<std::uint64_t>(static_cast<std::uint64_t>(d << (64 - n)), 0, how.grey_bits));
+  draw(Accumulator<std::uint32_t>(static_cast<std::uint32_t>(d << (32 - n)), 0, how.grey_bits));
+}
+
+}  // namespace scan_conversion
