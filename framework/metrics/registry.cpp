@@ -11,6 +11,7 @@ std::span<const RegisteredMetric> registered_metrics() {
       RegisteredMetric{.description = &coverage_description, .make = make_coverage},
       RegisteredMetric{.description = &spectrum_description, .make = make_spectrum},
       RegisteredMetric{.description = &points_description, .make = make_points},
+      RegisteredMetric{.description = &strokes_description, .make = make_strokes},
       RegisteredMetric{.description = &convergence_description, .make = make_convergence, .is_analysis = true},
       RegisteredMetric{.description = &flicker_description, .make_temporal = make_flicker},
       RegisteredMetric{.description = &energy_description, .make_temporal = make_energy},

@@ -26,12 +26,13 @@ std::span<const PassDescription* const> metric_descriptions();
 const RegisteredMetric& registered_metric(std::string_view name);
 
 extern const PassDescription error_description, coverage_description, spectrum_description, points_description,
-    convergence_description, flicker_description, energy_description, speed_description, cost_description,
-    budget_description;
+    strokes_description, convergence_description, flicker_description, energy_description, speed_description,
+    cost_description, budget_description;
 std::unique_ptr<Metric> make_error(const Settings& settings);
 std::unique_ptr<Metric> make_coverage(const Settings& settings);
 std::unique_ptr<Metric> make_spectrum(const Settings& settings);
 std::unique_ptr<Metric> make_points(const Settings& settings);
+std::unique_ptr<Metric> make_strokes(const Settings& settings);
 std::unique_ptr<Metric> make_convergence(const Settings& settings);
 std::unique_ptr<TemporalMetric> make_flicker(const Settings& settings, ImageSize image);
 std::unique_ptr<TemporalMetric> make_energy(const Settings& settings, ImageSize image);
