@@ -2,6 +2,7 @@
 #pragma once
 
 #include "octant.h"
+#include "pen.h"
 
 namespace scan_conversion {
 
@@ -40,18 +41,16 @@ template <class Put>
 void bresenham_line(PixelIndex from, PixelIndex to, const moire::PixelArea& area, Put&& put) {
   const Octant octant = octant_of(from, to);
   NearestRows rows(octant);
-  const auto row_at = [&](std::int64_t i) { return rows.row_at(i); };
-  const Range columns = visible(octant, {0, octant.columns + 1}, area, 0, 0, row_at).columns;
-  if (columns.empty()) return;
+  Range columns{0, octant.columns + 1};
+  if (!is_inside(from, to, area)) {
+    columns = visible(octant, columns, area, 0, 0, [&](std::int64_t i) { return rows.row_at(i); }).columns;
+    if (columns.empty()) return;
+  }
+  Pen pen(put, octant, columns.first, rows.row_at(columns.first));
   rows.go_to(columns.first);
-  const std::int64_t row = rows.row_at(columns.first);
-  int x = static_cast<int>(octant.x(columns.first, row)), y = static_cast<int>(octant.y(columns.first, row));
-  const Step column = octant.column, up = octant.row;
   for (std::int64_t i = columns.first; i < columns.end; ++i) {
-    put(x, y, 1U);
-    const int higher = rows.next();
-    x += column.x + higher * up.x;
-    y += column.y + higher * up.y;
+    pen.put(1);
+    pen.move(rows.next());
   }
 }
 

@@ -52,13 +52,14 @@ Cone::Cone() {
 double Cone::half(double along, double across) const {
   if (along >= 1) return endless(across);
   if (along < -1) return 0;
-  const int k = across < reach ? static_cast<int>(across * (entries / reach)) : entries;
-  return ends_[static_cast<std::size_t>((along + 1) * (entries / 2))][static_cast<std::size_t>(k)];
+  if (across >= reach) return 0;
+  return ends_[static_cast<std::size_t>((along + 1) * (entries / 2))]
+              [static_cast<std::size_t>(across * (entries / reach))];
 }
 
 std::uint32_t Cone::between(double before, double after, double across) const {
   const double share = half(before, across) + half(after, across) - endless(across);
-  return static_cast<std::uint32_t>(std::lround(std::clamp<double>(share, 0, full)));
+  return static_cast<std::uint32_t>(std::clamp<double>(share, 0, full) + 0.5);
 }
 
 }  // namespace scan_conversion

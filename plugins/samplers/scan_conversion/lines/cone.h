@@ -20,10 +20,12 @@ class Cone {
   // Computed once a process.
   static const Cone& tables();
 
-  // Of a line without ends near. Requires: 0 <= across.
-  std::uint32_t endless(double across) const {
-    return strip_[static_cast<std::size_t>(across < reach ? static_cast<int>(across * (entries / reach)) : entries)];
+  // Of a line without ends near. Requires: 0 <= across <= reach.
+  std::uint32_t within_reach(double across) const {
+    return strip_[static_cast<std::size_t>(static_cast<int>(across * (entries / reach)))];
   }
+  // Requires: 0 <= across.
+  std::uint32_t endless(double across) const { return within_reach(across < reach ? across : reach); }
   // Of a line that ends `before` pixels behind and `after` pixels ahead of the pixel.
   std::uint32_t between(double before, double after, double across) const;
 
@@ -33,7 +35,7 @@ class Cone {
   double half(double along, double across) const;
 
   std::array<std::uint8_t, entries + 1> strip_{};
-  std::array<std::array<double, entries + 1>, entries> ends_{};
+  std::array<std::array<double, entries>, entries> ends_{};
 };
 
 }  // namespace scan_conversion

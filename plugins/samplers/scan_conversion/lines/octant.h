@@ -29,6 +29,18 @@ inline Octant octant_of(PixelIndex from, PixelIndex to) {
   return height > width ? Octant{from, height, width, y, x} : Octant{from, width, height, x, y};
 }
 
+// The same line seen from its other end. Requires: it rises.
+inline Octant reversed(const Octant& octant) {
+  const std::int64_t i = octant.columns, j = octant.rise;
+  return {{octant.x(i, j), octant.y(i, j)}, i, j, {-octant.column.x, -octant.column.y}, {-octant.row.x, -octant.row.y}};
+}
+
+// Whether all pixels of a line, and those beside them, lie in the area.
+inline bool is_inside(PixelIndex from, PixelIndex to, const moire::PixelArea& area) {
+  const moire::PixelArea inner{area.x0 + 1, area.y0 + 1, area.width - 2, area.height - 2};
+  return holds(inner, from.x, from.y) && holds(inner, to.x, to.y);
+}
+
 struct Range {
   std::int64_t first = 0, end = 0;
 

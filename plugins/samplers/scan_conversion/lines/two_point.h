@@ -4,6 +4,7 @@
 
 #include "columns.h"
 #include "octant.h"
+#include "pen.h"
 #include "reach.h"
 
 namespace scan_conversion {
@@ -50,15 +51,11 @@ template <class Walk, class Put>
 void draw(const Octant& octant, Walk walk, Range columns, Put&& put) {
   if (columns.empty()) return;
   walk.go_to(columns.first);
-  const std::int64_t row = walk.row_at(columns.first);
-  int x = static_cast<int>(octant.x(columns.first, row)), y = static_cast<int>(octant.y(columns.first, row));
-  const Step column = octant.column, up = octant.row;
+  Pen pen(put, octant, columns.first, walk.row_at(columns.first));
   for (std::int64_t i = columns.first; i < columns.end; ++i) {
-    put(x, y, walk.lower());
-    put(x + up.x, y + up.y, walk.upper());
-    const int rows = walk.next();
-    x += column.x + rows * up.x;
-    y += column.y + rows * up.y;
+    pen.put(walk.lower());
+    pen.put_above(walk.upper());
+    pen.move(walk.next());
   }
 }
 
@@ -68,20 +65,16 @@ void draw(const Octant& a, const Octant& b, Walk walk, Range columns, Put&& put)
   if (columns.empty()) return;
   walk.go_to(columns.first);
   const std::int64_t row = walk.row_at(columns.first);
-  int ax = static_cast<int>(a.x(columns.first, row)), ay = static_cast<int>(a.y(columns.first, row));
-  int bx = static_cast<int>(b.x(columns.first, row)), by = static_cast<int>(b.y(columns.first, row));
-  // Seen from the other end all steps are the opposite ones.
-  const Step column = a.column, up = a.row;
+  Pen near(put, a, columns.first, row), far(put, b, columns.first, row);
   for (std::int64_t i = columns.first; i < columns.end; ++i) {
-    put(ax, ay, walk.lower());
-    put(ax + up.x, ay + up.y, walk.upper());
-    put(bx, by, walk.lower());
-    put(bx - up.x, by - up.y, walk.upper());
-    const int rows = walk.next(), dx = column.x + rows * up.x, dy = column.y + rows * up.y;
-    ax += dx;
-    ay += dy;
-    bx -= dx;
-    by -= dy;
+    const std::uint32_t lower = walk.lower(), upper = walk.upper();
+    near.put(lower);
+    near.put_above(upper);
+    far.put(lower);
+    far.put_above(upper);
+    const int rows = walk.next();
+    near.move(rows);
+    far.move(rows);
   }
 }
 
@@ -97,22 +90,21 @@ void draw_visible(const Octant& octant, const Walk& walk, Range columns, const m
 
 // From one end or from both towards the middle, where the column of an even number belongs to the first.
 template <class Walk, class Put>
-void draw_line(bool both_ends, PixelIndex from, PixelIndex to, const Walk& walk, const moire::PixelArea& area,
+void draw_line(bool both_ends, const Octant& near, bool inside, const Walk& walk, const moire::PixelArea& area,
                Put& put) {
-  const Octant near = octant_of(from, to);
-  if (!both_ends) return draw_visible(near, walk, {0, near.columns + 1}, area, put);
-  const Octant far = octant_of(to, from);
-  const auto row_at = [&](std::int64_t i) { return walk.row_at(i); };
+  const auto draw_columns = [&](const Octant& octant, Range columns) {
+    inside ? draw(octant, walk, columns, put) : draw_visible(octant, walk, columns, area, put);
+  };
+  if (!both_ends) return draw_columns(near, {0, near.columns + 1});
+  const Octant far = reversed(near);
   const std::int64_t mirrored = (near.columns + 1) / 2;
-  const Visible a = visible(near, {0, mirrored}, area, 0, 1, row_at);
-  const Visible b = visible(far, {0, mirrored}, area, 0, 1, row_at);
-  if (a.all && b.all && a.columns.end - a.columns.first == mirrored && b.columns.end - b.columns.first == mirrored) {
-    draw(near, far, walk, a.columns, put);
+  if (inside) {
+    draw(near, far, walk, {0, mirrored}, put);
   } else {
-    draw_visible(near, walk, {0, mirrored}, area, put);
-    draw_visible(far, walk, {0, mirrored}, area, put);
+    draw_columns(near, {0, mirrored});
+    draw_columns(far, {0, mirrored});
   }
-  if (near.columns % 2 == 0) draw_visible(near, walk, {mirrored, mirrored + 1}, area, put);
+  if (near.columns % 2 == 0) draw_columns(near, {mirrored, mirrored + 1});
 }
 
 // Lines along pixels and along their diagonals: one pixel a column.
@@ -136,7 +128,8 @@ void two_point_line(const TwoPointLines& how, PixelIndex from, PixelIndex to, co
   if (octant.rise == 0 || octant.rise == octant.columns) {
     return two_point::draw_single(from, to, how.full(), area, put);
   }
-  const auto draw = [&](const auto& walk) { two_point::draw_line(how.both_ends, from, to, walk, area, put); };
+  const bool inside = is_inside(from, to, area);
+  const auto draw = [&](const auto& walk) { two_point::draw_line(how.both_ends, octant, inside, walk, area, put); };
   const Slope slope{static_cast<double>(octant.columns), static_cast<double>(octant.rise)};
   if (how.method == LineMethod::direct) return draw(Direct<false>(slope, how.grey_bits));
   if (how.method == LineMethod::fujimoto_iwata) return draw(PerPixel<false>(slope, how.grey_bits));
