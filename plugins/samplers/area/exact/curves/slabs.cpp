@@ -81,27 +81,23 @@ void Slabs::integrate(std::size_t first, std::size_t end, double area, int depth
     return;
   }
   // The time that a square takes grows with the cube of its covers.
-  std::size_t ends[4];
+  const std::size_t begin = covers_.size();
+  std::size_t quarters[5] = {begin};
   double cubes = 0;
   for (int k = 0; k < 4; ++k) {
     look_at({0.5 * (k % 2), 0.5 * (k / 2), 0.5}, first, end);
-    ends[k] = covers_.size();
-    const auto part = static_cast<double>(ends[k] - (k == 0 ? end : ends[k - 1])) / static_cast<double>(count);
+    quarters[k + 1] = covers_.size();
+    const auto part = static_cast<double>(quarters[k + 1] - quarters[k]) / static_cast<double>(count);
     cubes += part * part * part;
   }
-  if (cubes < 1.5) {
-    for (int k = 0; k < 4; ++k) integrate(k == 0 ? end : ends[k - 1], ends[k], area / 4, depth + 1);
-    drop(end, lines, arcs);
-  } else {
-    drop(end, lines, arcs);
-    cut(first, end, area);
+  const bool is_parted = cubes < 1.5;
+  if (is_parted) {
+    for (int k = 0; k < 4; ++k) integrate(quarters[k], quarters[k + 1], area / 4, depth + 1);
   }
-}
-
-void Slabs::drop(std::size_t covers, std::size_t lines, std::size_t arcs) {
-  covers_.resize(covers);
+  covers_.resize(begin);
   lines_.resize(lines);
   arcs_.resize(arcs);
+  if (!is_parted) cut(first, end, area);
 }
 
 void Slabs::look_at(const Box& box, std::size_t first, std::size_t end) {
@@ -110,7 +106,7 @@ void Slabs::look_at(const Box& box, std::size_t first, std::size_t end) {
     Cover seen{cover.layer, lines_.size(), lines_.size(), arcs_.size(), arcs_.size(), 0};
     bool is_out = false;
     for (std::size_t n = cover.lines; n < cover.lines_end && !is_out; ++n) {
-      const HalfPlane& side = lines_[n].side;
+      const HalfPlane side = lines_[n].side;
       const HalfPlane here{side.a * box.side, side.b * box.side, side.at(box.x, box.y)};
       const double least = here.c + std::min(here.a, 0.0) + std::min(here.b, 0.0);
       const double most = here.c + std::max(here.a, 0.0) + std::max(here.b, 0.0);
@@ -126,7 +122,7 @@ void Slabs::look_at(const Box& box, std::size_t first, std::size_t end) {
       ++seen.needed;
     }
     for (std::size_t n = cover.arcs; n < cover.arcs_end && !is_out; ++n) {
-      const Arc& arc = arcs_[n];
+      const Arc arc = arcs_[n];
       const LocalDisk& disk = arc.disk;
       const double side = box.side;
       const LocalDisk here{disk.at(box.x, box.y) / (side * side), (disk.x - box.x) / side, (disk.y - box.y) / side,
@@ -156,6 +152,18 @@ void Slabs::cut(std::size_t first, std::size_t end, double area) {
   }
 }
 
+// Whether lines that cross at x, in the square's rows, have one order above and another below as the square sees it.
+// Beside the square they may cross on that side of it where both of them leave it, or come from.
+bool Slabs::is_order_seen(double x, const Line& one, const Line& other) {
+  if (x < 0) {
+    return std::max(one.x0, other.x0) > 0 && std::max(one.x0 + one.slope, other.x0 + other.slope) > 0;
+  }
+  if (x > 1) {
+    return std::min(one.x0, other.x0) < 1 && std::min(one.x0 + one.slope, other.x0 + other.slope) < 1;
+  }
+  return true;
+}
+
 void Slabs::find_events(std::size_t first, std::size_t end) {
   events_.assign({0, 1});
   const std::size_t lines = covers_[first].lines, lines_end = covers_[end - 1].lines_end;
@@ -173,7 +181,7 @@ void Slabs::find_events(std::size_t first, std::size_t end) {
       if (!(apart * (apart - closing) < 0)) continue;
       const double y = apart / closing;
       const Line& steep = std::abs(one.slope) < std::abs(other.slope) ? one : other;
-      if (is_in_reach(steep.x0 + steep.slope * y)) event(y);
+      if (is_order_seen(steep.x0 + steep.slope * y, one, other)) event(y);
     }
     for (std::size_t n = arcs; n < arcs_end; ++n) line_events(one, arcs_[n]);
   }

@@ -62,8 +62,8 @@ class Slabs {
   void integrate(std::size_t first, std::size_t end, double area, int depth);
   // Appends what matters of the covers [first, end) in the box, as it sees them.
   void look_at(const Box& box, std::size_t first, std::size_t end);
-  void drop(std::size_t covers, std::size_t lines, std::size_t arcs);
   void cut(std::size_t first, std::size_t end, double area);
+  static bool is_order_seen(double x, const Line& one, const Line& other);
   void find_events(std::size_t first, std::size_t end);
   void line_events(const Line& line, const Arc& arc);
   void arc_events(const Arc& one, const Arc& other);

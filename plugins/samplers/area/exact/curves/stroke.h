@@ -145,10 +145,10 @@ void Stroke::inner_columns(int first, int end, const moire::PixelArea& clip, Put
   const bool is_thin = half_height_ <= 1;
   for (int column = first; column < end; ++column) {
     const double top = std::floor(middle(column, 0) + up);
-    if (!(std::abs(top) < far_off)) continue;
-    int row = static_cast<int>(top);
+    int row = whole(top);
     const double low = middle(column, top) + lower_end;
     if (is_thin) {
+      if (row != top) continue;  // out of bounds
       double upper = low + half_height_, lower = low - half_height_;
       double before = 2 * half_height_;
       do {
