@@ -6,6 +6,7 @@
 
 #include "adaptive.h"
 #include "curves.h"
+#include "curves_exact.h"
 #include "drawings.h"
 #include "filters.h"
 #include "interleaved.h"
@@ -211,6 +212,7 @@ int main(int argc, char** argv) {
   const auto is_wanted = [&](std::string_view part) { return argc < 2 || argv[1] == part; };
   if (is_wanted("adaptive")) benchmark::run_adaptive(catalog);
   if (is_wanted("curves")) benchmark::run_curves();
+  if (is_wanted("curves_exact")) benchmark::run_curves_exact();
   if (is_wanted("filters")) benchmark::run_filters(catalog);
   if (is_wanted("drawings")) benchmark::run_drawings(catalog);
   if (is_wanted("patterns")) benchmark::run_patterns(catalog);

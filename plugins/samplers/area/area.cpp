@@ -1,8 +1,9 @@
-// Area sampling: exact visible stretches along image lines, or the exact visible area of polygons.
+// Area sampling: exact visible stretches along image lines, or the exact visible area of polygons, lines and circles.
 #include <moire/error.h>
 #include <moire/plugin.h>
 
 #include "exact/catmull.h"
+#include "exact/curves/curve_areas.h"
 #include "exact/disjoint.h"
 #include "exact/prepared.h"
 #include "exact/sweep.h"
@@ -14,13 +15,14 @@ namespace {
 using namespace moire::parameter;
 
 constexpr moire::Parameter parameters[] = {
-    choice("method", "line", "line exact", "exact along lines, or over the area of all polygons"),
+    choice("method", "line", "line exact", "exact along lines, or over the area of all polygons or curves"),
     integer("lines", 1, 1, 256, "lines per pixel", "lines across each pixel; radial lines are at least as dense"),
     choice("layout", "upright", "upright radial",
            "lines along image columns, or through the scene's pole, where they are exact"),
-    choice("integrator", "sweep", "sweep prepared catmull",
-           "for method exact: a sweep over rows; what is visible found once and kept for other frames of the same "
-           "polygons; the z-list and recursive clipper of 1978. The image is the same"),
+    choice("integrator", "auto", "auto sweep prepared catmull",
+           "for method exact: closed forms of lines and circles where the scene has them, else the sweep; a sweep over "
+           "rows of polygons; what is visible found once and kept for other frames of the same polygons; the z-list "
+           "and recursive clipper of 1978. Of polygons the image is the same"),
     flag("jagged", false, "catmull without its pixel integrator: what is seen at the pixel's middle"),
 };
 
@@ -41,6 +43,7 @@ class Area final : public moire::Sampler {
 
  private:
   std::unique_ptr<moire::Rendering> integrated(const moire::RenderRequest& request) const {
+    if (integrator_ == "auto" && request.frame.curves()) return std::make_unique<area::CurveAreas>(request.frame);
     if (request.frame.polygons()->disjoint()) return std::make_unique<area::Disjoint>(request.frame);
     if (integrator_ == "catmull") return std::make_unique<area::Catmull>(request, jagged_);
     if (integrator_ == "prepared") return std::make_unique<area::Prepared>(request);

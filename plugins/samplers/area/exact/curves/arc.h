@@ -1,0 +1,37 @@
+// The area between a circle's arc and its chord.
+#pragma once
+
+#include <cmath>
+
+namespace area {
+
+// Of an arc of at most half the circle. With s = sin(angle / 2) = chord / (2 r) the area is
+//   r^2 (asin s - s sqrt(1 - s^2)) = chord^3 / (8 r) (2/3 + s^2 / 5 + 3 s^4 / 28 + ...),
+// twice the integral of s^2 / sqrt(1 - s^2), whose series loses nothing to the r^2 that would cancel. Where it
+// converges slowly the arc is halved, which leaves a triangle and two smaller segments. Square roots and the four
+// operations are all it takes, so that the bits are the same on every machine.
+inline double segment_area(double chord_squared, double inverse_radius) {
+  const double u = chord_squared * inverse_radius * inverse_radius / 4;
+  const double chord = std::sqrt(chord_squared);
+  if (u > 1.0 / 32) {
+    const double deep = 1 + std::sqrt(std::fmax(1 - u, 0.0));
+    const double sagitta = chord_squared * inverse_radius / (4 * deep);
+    return chord * sagitta / 2 + 2 * segment_area(chord_squared / (2 * deep), inverse_radius);
+  }
+  // 2 C(2k, k) / (4^k (2k + 3)): what is left out is below 2^-53 of the sum.
+  double sum = 5.0 / 72 + u * (35.0 / 704);
+  if (u > 0x1p-10) {
+    sum = 46189.0 / 262144 / 23 * 2;
+    sum = 12155.0 / 65536 / 21 * 2 + u * sum;
+    sum = 6435.0 / 32768 / 19 * 2 + u * sum;
+    sum = 429.0 / 2048 / 17 * 2 + u * sum;
+    sum = 231.0 / 1024 / 15 * 2 + u * sum;
+    sum = 63.0 / 256 / 13 * 2 + u * sum;
+    sum = 35.0 / 704 + u * sum;
+    sum = 5.0 / 72 + u * sum;
+  }
+  sum = 2.0 / 3 + u * (1.0 / 5 + u * (3.0 / 28 + u * sum));
+  return chord_squared * chord * inverse_radius / 8 * sum;
+}
+
+}  // namespace area
