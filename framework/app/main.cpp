@@ -8,7 +8,7 @@
 #include <moire/error.h>
 
 #include "app/commands.h"
-#include "config/nearest_name.h"
+#include "json/nearest_name.h"
 
 namespace {
 

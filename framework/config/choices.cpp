@@ -7,7 +7,7 @@
 
 #include "config/experiment_format.h"
 #include "config/naming.h"
-#include "config/nearest_name.h"
+#include "json/nearest_name.h"
 
 namespace moire {
 namespace {

@@ -12,9 +12,9 @@
 #include "config/experiment_tree.h"
 #include "config/frames_reader.h"
 #include "config/naming.h"
-#include "config/nearest_name.h"
 #include "config/only.h"
 #include "config/pass_choices.h"
+#include "json/nearest_name.h"
 
 namespace moire {
 namespace {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "config/experiment_format.h"
-#include "config/nearest_name.h"
 #include "config/overrides.h"
+#include "json/nearest_name.h"
 
 namespace moire {
 namespace {

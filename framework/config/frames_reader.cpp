@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "config/experiment_format.h"
-#include "config/nearest_name.h"
+#include "json/nearest_name.h"
 
 namespace moire {
 namespace {

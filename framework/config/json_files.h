@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 
 namespace moire {
 

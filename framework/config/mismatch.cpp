@@ -6,7 +6,7 @@
 
 #include "config/exact_settings.h"
 #include "config/experiment.h"
-#include "config/nearest_name.h"
+#include "json/nearest_name.h"
 
 namespace moire {
 namespace {

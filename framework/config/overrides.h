@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 
 namespace moire {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/data_files.h"
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 
 namespace moire {
 

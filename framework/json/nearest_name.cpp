@@ -1,5 +1,5 @@
 // Edit distance with swaps of neighbours (the "optimal string alignment" of Damerau and Levenshtein).
-#include "config/nearest_name.h"
+#include "json/nearest_name.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/problems.h"
+#include "json/problems.h"
 
 namespace moire {
 

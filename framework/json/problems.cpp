@@ -1,5 +1,5 @@
 // Collects problems and throws them together.
-#include "config/problems.h"
+#include "json/problems.h"
 
 #include <algorithm>
 #include <cctype>
@@ -35,13 +35,16 @@ std::string member_path(std::string_view path, std::string_view key) {
 
 std::string item_path(std::string_view path, std::size_t index) { return fmt::format("{}[{}]", path, index); }
 
-void Problems::add(const Place& place, std::string_view path, std::string_view what) {
-  const Source& source = *place.source;
+std::string problem_at(const Place& place, std::string_view path, std::string_view what) {
   const std::string line = place.line > 0 ? fmt::format(":{}", place.line) : "";
   const std::string inside = path.empty() ? "" : fmt::format("{}: ", path);
+  return fmt::format("{}{}: {}{}", place.source->shown, line, inside, what);
+}
+
+void Problems::add(const Place& place, std::string_view path, std::string_view what) {
+  const Source& source = *place.source;
   const std::string_view in_entry = path.substr(source.is_shared ? path.find(']') + 1 : 0);
-  Problem problem{source.shown, place.line, fmt::format("{}: {}", in_entry, what),
-                  fmt::format("{}{}: {}{}", source.shown, line, inside, what)};
+  Problem problem{source.shown, place.line, fmt::format("{}: {}", in_entry, what), problem_at(place, path, what)};
   const bool is_new = std::none_of(problems_.begin(), problems_.end(), [&](const Problem& other) {
     return std::tie(other.source, other.line, other.fault) == std::tie(problem.source, problem.line, problem.fault);
   });

@@ -1,6 +1,6 @@
 #include <catch2/catch_test_macros.hpp>
 
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 #include "message_of.h"
 
 namespace moire {

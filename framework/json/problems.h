@@ -1,4 +1,4 @@
-// What is wrong with an experiment: collected while it is read, so that all of it is reported at once.
+// What is wrong with a JSON file: collected while it is read, so that all of it is reported at once.
 #pragma once
 
 #include <cstddef>
@@ -30,10 +30,12 @@ std::string in_quotes(std::string_view text);
 std::string member_path(std::string_view path, std::string_view key);
 std::string item_path(std::string_view path, std::size_t index);
 
+// `file:line: path: what`. An empty path means the whole file.
+std::string problem_at(const Place& place, std::string_view path, std::string_view what);
+
 class Problems {
  public:
-  // `path` is empty where the whole file is meant. A fault that is there already counts once; one of a
-  // shared file is named for the first entry that uses it.
+  // A fault that is there already counts once; one of a shared file is named for the first entry that uses it.
   void add(const Place& place, std::string_view path, std::string_view what);
 
   void append(const Problems& more) { problems_.insert(problems_.end(), more.problems_.begin(), more.problems_.end()); }

@@ -1,11 +1,11 @@
 // Turns the parser's explanations into what a person would say; those it does not know pass through.
-#include "config/json_syntax.h"
+#include "json/json_syntax.h"
 
 #include <cctype>
 
 #include <fmt/format.h>
 
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 
 namespace moire {
 namespace {

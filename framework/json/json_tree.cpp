@@ -1,5 +1,5 @@
 // Builds the tree from nlohmann's parser, which reports what it reads as it reads it.
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 
 #include <cstddef>
 #include <iterator>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "config/json_syntax.h"
+#include "json/json_syntax.h"
 
 namespace moire {
 namespace {

@@ -1,4 +1,4 @@
-#include "config/json_tree.h"
+#include "json/json_tree.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "config/nearest_name.h"
+#include "json/nearest_name.h"
 
 #include <catch2/catch_test_macros.hpp>
 
