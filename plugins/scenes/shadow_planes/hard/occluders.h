@@ -13,7 +13,7 @@ namespace shadow_planes {
 
 // The seen side of a face, and who may shadow it.
 struct Receiver {
-  Plane side;  // its normal points to the eye
+  Plane side;                            // its normal points to the eye
   std::vector<std::uint32_t> occluders;  // by their place in the list
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "world/cut.h"
+#include "outlines/cut.h"
 
 namespace shadow_planes {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "world/cut.h"
+#include "outlines/cut.h"
 
 namespace shadow_planes {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "world/cut.h"
+#include "outlines/cut.h"
 
 namespace shadow_planes {
 

@@ -28,7 +28,8 @@ moire::Color Shading::color(std::uint32_t face, double irradiance) const {
   const moire::Color& sent = shade_ == Shade::flat ? light.flat : light.color;
   const double part = shade_ == Shade::flat ? irradiance : irradiance / std::numbers::pi;
   const auto channel = [&](float r, float ambient, float of_light) {
-    return static_cast<float>(static_cast<double>(r) * (static_cast<double>(ambient) + part * static_cast<double>(of_light)));
+    return static_cast<float>(static_cast<double>(r) *
+                              (static_cast<double>(ambient) + part * static_cast<double>(of_light)));
   };
   return {channel(reflectance.r, world_.ambient.r, sent.r), channel(reflectance.g, world_.ambient.g, sent.g),
           channel(reflectance.b, world_.ambient.b, sent.b)};

@@ -1,25 +1,8 @@
 #include "seeing/visible_parts.h"
 
-#include <algorithm>
-
-#include "world/cut.h"
+#include "outlines/difference.h"
 
 namespace shadow_planes {
-
-namespace {
-
-// Whether an edge of one lies between it and all of the other.
-bool are_apart(const Outline& part, const Outline& piece) {
-  const moire::Point* from = &part.back();
-  for (const moire::Point& to : part) {
-    const Line edge = edge_line(*from, to);
-    if (std::none_of(piece.begin(), piece.end(), [&](const moire::Point& p) { return edge(p) > 0; })) return true;
-    from = &to;
-  }
-  return false;
-}
-
-}  // namespace
 
 VisibleParts::VisibleParts(const Bsp& bsp, const Camera& camera) {
   for (Part& part : image_parts(bsp, camera)) {
@@ -45,15 +28,7 @@ void VisibleParts::in(const moire::Rectangle& window, std::vector<Part>& out) co
         still_open.push_back(std::move(piece));
         continue;
       }
-      // Edge by edge, what lies beyond it stays open, the rest is in question.
-      const moire::Point* from = &part.outline.back();
-      for (const moire::Point& to : part.outline) {
-        split(piece, edge_line(*from, to), within, beyond);
-        from = &to;
-        if (doubled_area(beyond) > least) still_open.push_back(beyond);
-        std::swap(piece, within);
-        if (doubled_area(piece) <= least) break;
-      }
+      cut_out(piece, part.outline, least, still_open, within, beyond);
       if (doubled_area(piece) > least) out.push_back({part.face, piece});
     }
     std::swap(open, still_open);

@@ -32,9 +32,7 @@ std::vector<Vector> board(const Vector& middle, double width, double depth, doub
   return corners;
 }
 
-std::vector<Vector> reversed(std::vector<Vector> corners) {
-  return {corners.rbegin(), corners.rend()};
-}
+std::vector<Vector> reversed(std::vector<Vector> corners) { return {corners.rbegin(), corners.rend()}; }
 
 // An upright rectangle over the line from a to b, both of one height.
 std::vector<Vector> upright(const Vector& a, const Vector& b, double height) {
@@ -101,13 +99,23 @@ Source room() {
     faces.push_back(painted(upright(p - Vector{0, 0.06, 0}, p + Vector{0, 0.06, 0}, 0.9), brick));
   }
   // An arrow above it, a board against the wall behind.
-  faces.push_back(painted({{-1.3, 0.1, 1.5}, {-0.5, 0.1, 1.5}, {-0.5, -0.15, 1.5}, {0, 0.3, 1.6}, {-0.5, 0.75, 1.7},
-                           {-0.5, 0.5, 1.6}, {-1.3, 0.5, 1.6}},
+  faces.push_back(painted({{-1.3, 0.1, 1.5},
+                           {-0.5, 0.1, 1.5},
+                           {-0.5, -0.15, 1.5},
+                           {0, 0.3, 1.6},
+                           {-0.5, 0.75, 1.7},
+                           {-0.5, 0.5, 1.6},
+                           {-1.3, 0.5, 1.6}},
                           straw));
   faces.push_back(painted({{1, 1.6, 0}, {2.2, 1.6, 0}, {2.2, 3, 2}, {1, 3, 2}}, moss));
   // A screen with a notch.
-  faces.push_back(painted({{0.9, -1.2, 0}, {2.1, -0.4, 0}, {2.1, -0.4, 1.2}, {1.7, -2.0 / 3, 1.2},
-                           {1.5, -0.8, 0.5}, {1.3, -14.0 / 15, 1.2}, {0.9, -1.2, 1.2}},
+  faces.push_back(painted({{0.9, -1.2, 0},
+                           {2.1, -0.4, 0},
+                           {2.1, -0.4, 1.2},
+                           {1.7, -2.0 / 3, 1.2},
+                           {1.5, -0.8, 0.5},
+                           {1.3, -14.0 / 15, 1.2},
+                           {0.9, -1.2, 1.2}},
                           slate));
   source.light.corners = reversed(board({1.2, -0.6, 4}, 1, 1, 17));
   source.light.towards = Vector{0.8, -0.9, 1.6};

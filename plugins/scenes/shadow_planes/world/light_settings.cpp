@@ -51,8 +51,7 @@ Light light_of(const LightShape& shape, const moire::Settings& settings) {
     double area = 0;
     for (Convex& part : face.parts) {
       for (Vector& p : part) p = middle + size * (p - middle) + offset;
-      for (std::size_t k = 2; k < part.size(); ++k)
-        area += length(cross(part[k - 1] - part[0], part[k] - part[0])) / 2;
+      for (std::size_t k = 2; k < part.size(); ++k) area += length(cross(part[k - 1] - part[0], part[k] - part[0])) / 2;
     }
     light.plane = {face.plane.normal, -dot(face.plane.normal, middle + offset)};
     light.parts = std::move(face.parts);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "seeing/outline.h"
-#include "world/cut.h"
+#include "outlines/cut.h"
+#include "outlines/outline.h"
 
 namespace shadow_planes {
 
