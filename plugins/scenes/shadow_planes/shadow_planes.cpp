@@ -70,9 +70,9 @@ class ShadowPlanes final : public moire::Scene {
     const auto ambient = static_cast<float>(settings.real("ambient"));
     world.ambient = {ambient, ambient, ambient};
     world.sky = moire::parse_color(settings.text("sky"));
-    const Manner manner{settings.text("shading") == "flat" ? Shade::flat : Shade::diffuse,
+    const Look look{settings.text("shading") == "flat" ? Shade::flat : Shade::diffuse,
                         settings.text("clip") == "none" ? Clip::none : Clip::both};
-    return std::make_unique<ShadowFrame>(std::move(world), bsp_, camera_of(settings, size), manner);
+    return std::make_unique<ShadowFrame>(std::move(world), bsp_, camera_of(settings, size), look);
   }
 
  private:

@@ -4,15 +4,15 @@
 
 namespace shadow_planes {
 
-ShadowFrame::ShadowFrame(World world, std::shared_ptr<const Bsp> bsp, const Camera& camera, const Manner& manner)
+ShadowFrame::ShadowFrame(World world, std::shared_ptr<const Bsp> bsp, const Camera& camera, const Look& look)
     : world_(std::move(world)),
       bsp_(std::move(bsp)),
       camera_(camera),
-      manner_(manner),
-      occluders_(world_, manner.clip),
-      shading_(world_, occluders_, camera.eye, manner.shade),
+      look_(look),
+      occluders_(world_, look.clip),
+      shading_(world_, occluders_, camera.eye, look.shade),
       faces_(world_, camera),
-      receivers_(world_, occluders_, shading_, faces_, manner.clip, manner.shade) {}
+      receivers_(world_, occluders_, shading_, faces_, look.clip, look.shade) {}
 
 void ShadowFrame::trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
                         moire::Counters& counters) const {
@@ -30,13 +30,13 @@ void ShadowFrame::trace(std::span<const moire::SamplePoint> points, std::span<mo
 
 const moire::Polygons* ShadowFrame::polygons() const {
   const LightKind kind = world_.light.kind;
-  const bool is_flat = kind == LightKind::directional || (kind == LightKind::point && manner_.shade == Shade::flat);
+  const bool is_flat = kind == LightKind::directional || (kind == LightKind::point && look_.shade == Shade::flat);
   return is_flat ? this : nullptr;
 }
 
 void ShadowFrame::stream(const moire::Rectangle& window, moire::PolygonSink& sink) const {
   std::call_once(polygons_once_,
-                 [this] { polygons_.emplace(world_, *bsp_, camera_, occluders_, shading_, manner_.clip); });
+                 [this] { polygons_.emplace(world_, *bsp_, camera_, occluders_, shading_, look_.clip); });
   polygons_->stream(window, sink);
 }
 

@@ -16,7 +16,7 @@
 namespace shadow_planes {
 
 // How a world is looked at.
-struct Manner {
+struct Look {
   Shade shade = Shade::diffuse;
   Clip clip = Clip::both;
 };
@@ -24,7 +24,7 @@ struct Manner {
 class ShadowFrame final : public moire::Frame, private moire::Polygons {
  public:
   // `bsp`: of these faces.
-  ShadowFrame(World world, std::shared_ptr<const Bsp> bsp, const Camera& camera, const Manner& manner);
+  ShadowFrame(World world, std::shared_ptr<const Bsp> bsp, const Camera& camera, const Look& look);
 
   moire::ImageSize size() const override { return camera_.size; }
   void trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
@@ -43,7 +43,7 @@ class ShadowFrame final : public moire::Frame, private moire::Polygons {
   World world_;
   std::shared_ptr<const Bsp> bsp_;
   Camera camera_;
-  Manner manner_;
+  Look look_;
   Occluders occluders_;
   Shading shading_;
   FirstFaces faces_;

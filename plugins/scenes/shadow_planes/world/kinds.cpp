@@ -99,14 +99,10 @@ Source room() {
     faces.push_back(painted(upright(p - Vector{0, 0.06, 0}, p + Vector{0, 0.06, 0}, 0.9), brick));
   }
   // An arrow above it, a board against the wall behind.
-  faces.push_back(painted({{-1.3, 0.1, 1.5},
-                           {-0.5, 0.1, 1.5},
-                           {-0.5, -0.15, 1.5},
-                           {0, 0.3, 1.6},
-                           {-0.5, 0.75, 1.7},
-                           {-0.5, 0.5, 1.6},
-                           {-1.3, 0.5, 1.6}},
-                          straw));
+  std::vector<Vector> arrow{{-1.3, 0.1, 0},  {-0.5, 0.1, 0}, {-0.5, -0.15, 0}, {0, 0.3, 0},
+                            {-0.5, 0.75, 0}, {-0.5, 0.5, 0}, {-1.3, 0.5, 0}};
+  for (Vector& p : arrow) p.z = 1.475 + 0.25 * p.y;
+  faces.push_back(painted(arrow, straw));
   faces.push_back(painted({{1, 1.6, 0}, {2.2, 1.6, 0}, {2.2, 3, 2}, {1, 3, 2}}, moss));
   // A screen with a notch.
   faces.push_back(painted({{0.9, -1.2, 0},
@@ -117,7 +113,7 @@ Source room() {
                            {1.3, -14.0 / 15, 1.2},
                            {0.9, -1.2, 1.2}},
                           slate));
-  source.light.corners = reversed(board({1.2, -0.6, 4}, 1, 1, 17));
+  source.light.corners = reversed(board({1.7, -1.9, 3.6}, 1, 1, 17));
   source.light.towards = Vector{0.8, -0.9, 1.6};
   return source;
 }
