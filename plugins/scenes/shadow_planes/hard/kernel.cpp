@@ -2,15 +2,22 @@
 
 namespace shadow_planes {
 
-// Plain loops that compilers turn into vectors: a cell's value depends on its index alone, not on where a run begins.
-void add_kernel(const KernelRow& row, int begin, int end, float part, float* cells) {
-  const float x0 = row.x0, step = row.step, square = row.square, sent = part * row.sent, turn = part * row.turn;
-  for (int i = begin; i < end; ++i) {
-    const float x = x0 + step * static_cast<float>(i);
-    const float r2 = square + x * x;
-    const float share = sent + turn * x;
-    cells[i] += (share > 0 ? share : 0) / (r2 * r2);
-  }
+namespace {
+
+[[gnu::target("avx2")]] void add_wide(const KernelRow& row, int begin, int end, float part, float* cells) {
+  detail::add_kernel(row, begin, end, part, cells);
+}
+
+void add_narrow(const KernelRow& row, int begin, int end, float part, float* cells) {
+  detail::add_kernel(row, begin, end, part, cells);
+}
+
+const bool has_wide_vectors = __builtin_cpu_supports("avx2");
+
+}  // namespace
+
+void detail::add_long_run(const KernelRow& row, int begin, int end, float part, float* cells) {
+  (has_wide_vectors ? add_wide : add_narrow)(row, begin, end, part, cells);
 }
 
 void add_flat(const KernelRow& row, int begin, int end, float part, float* cells) {
