@@ -97,6 +97,38 @@ Reach AreaLight::at(Vector x, std::span<const std::uint32_t> candidates, Scratch
   return reach;
 }
 
+void AreaLight::narrow(std::span<const Vector> hull, std::span<const std::uint32_t> candidates,
+                       std::vector<std::uint32_t>& out) const {
+  out.clear();
+  for (const std::uint32_t caster : candidates) {
+    const Flat& flat = flats_[caster];
+    const Vector* corners = corners_.data() + flat.first;
+    // The volume that a point, an edge and a corner of the light span is linear in the point: an edge whose plane has
+    // all of the light beyond it for all corners of the hull has it there for all points between them.
+    double above = 0, below = 0;
+    for (const Vector& x : hull) {
+      const double height = flat.plane.distance(placed(x));
+      above = std::max(above, height);
+      below = std::min(below, height);
+    }
+    const double sign = above > 0 ? -1 : 1;
+    bool hides = true;
+    if (above == 0 || below == 0) {
+      for (std::size_t k = 0; k < flat.count && hides; ++k) {
+        const Vector a = corners[k], b = corners[k + 1 < flat.count ? k + 1 : 0];
+        hides = std::any_of(hull.begin(), hull.end(), [&](const Vector& x) {
+          const Vector p = placed(x), m = sign * cross(a - p, b - p);
+          const Line line{m.x, m.y, -dot(m, p)};
+          return std::any_of(parts_.begin(), parts_.end(), [&](const std::vector<moire::Point>& part) {
+            return std::any_of(part.begin(), part.end(), [&](const moire::Point& c) { return line(c) > 0; });
+          });
+        });
+      }
+    }
+    if (hides) out.push_back(caster);
+  }
+}
+
 void AreaLight::add_hidden(std::uint32_t caster, Vector p, bool is_far, double& irradiance, double& lit,
                            Scratch& scratch) const {
   Pieces& pieces = scratch.pieces;

@@ -16,6 +16,8 @@ class AreaLight : public Illumination {
   AreaLight(const World& world, std::uint32_t receiver, const Plane& side);
 
   Reach at(Vector x, std::span<const std::uint32_t> candidates, Scratch& scratch) const override;
+  void narrow(std::span<const Vector> hull, std::span<const std::uint32_t> candidates,
+              std::vector<std::uint32_t>& out) const override;
 
  private:
   struct Flat {

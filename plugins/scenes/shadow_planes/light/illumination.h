@@ -46,6 +46,11 @@ class Illumination {
   // not looked at.
   virtual Reach at(Vector x, std::span<const std::uint32_t> candidates, Scratch& scratch) const = 0;
 
+  // Replaces `out` by those of the candidates that may hide some of the light from a point of the convex hull of these
+  // points of the receiver.
+  virtual void narrow(std::span<const Vector> hull, std::span<const std::uint32_t> candidates,
+                      std::vector<std::uint32_t>& out) const = 0;
+
   const Plane& side() const { return side_; }
   const std::vector<Caster>& casters() const { return casters_; }
   // All casters.

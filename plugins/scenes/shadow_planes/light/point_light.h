@@ -13,6 +13,8 @@ class PointLight : public Illumination {
         is_point_(world.light.kind == LightKind::point) {}
 
   Reach at(Vector x, std::span<const std::uint32_t> candidates, Scratch& scratch) const override;
+  void narrow(std::span<const Vector> hull, std::span<const std::uint32_t> candidates,
+              std::vector<std::uint32_t>& out) const override;
 
  private:
   Vector place_;

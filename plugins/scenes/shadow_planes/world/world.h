@@ -35,6 +35,7 @@ struct Light {
   std::vector<Convex> parts;
   // Of area: radiance. Of point: radiant intensity. Of directional: irradiance of a surface that faces it.
   moire::Color color{1, 1, 1};
+  moire::Color flat{1, 1, 1};  // what any lit surface of reflectance 1 sends out, where shading is flat
 };
 
 struct World {
