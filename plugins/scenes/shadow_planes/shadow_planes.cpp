@@ -71,7 +71,7 @@ class ShadowPlanes final : public moire::Scene {
     world.ambient = {ambient, ambient, ambient};
     world.sky = moire::parse_color(settings.text("sky"));
     const Look look{settings.text("shading") == "flat" ? Shade::flat : Shade::diffuse,
-                        settings.text("clip") == "none" ? Clip::none : Clip::both};
+                    settings.text("clip") == "none" ? Clip::none : Clip::both};
     return std::make_unique<ShadowFrame>(std::move(world), bsp_, camera_of(settings, size), look);
   }
 
@@ -93,9 +93,10 @@ class ShadowPlanes final : public moire::Scene {
 moire::Questions answers(const Settings& settings) {
   using enum moire::Questions;
   const LightKind kind = light_kind_of(settings);
-  if (kind == LightKind::area) return points | receivers;
+  const bool has_averages = settings.text("clip") == "both";
   const bool is_flat = kind == LightKind::directional || settings.text("shading") == "flat";
-  return is_flat ? points | polygons : points;
+  return points | (kind == LightKind::area ? receivers : none) | (has_averages ? averages : none) |
+         (kind != LightKind::area && is_flat ? polygons : none);
 }
 
 }  // namespace

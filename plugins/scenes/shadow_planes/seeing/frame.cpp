@@ -34,6 +34,15 @@ const moire::Polygons* ShadowFrame::polygons() const {
   return is_flat ? this : nullptr;
 }
 
+const moire::Averages* ShadowFrame::averages() const {
+  if (look_.clip == Clip::none) return nullptr;
+  std::call_once(averages_once_, [this] {
+    visible_.emplace(*bsp_, camera_);
+    averages_.emplace(world_, camera_, *visible_, PixelAverages::Options{.is_flat = look_.shade == Shade::flat});
+  });
+  return &*averages_;
+}
+
 void ShadowFrame::stream(const moire::Rectangle& window, moire::PolygonSink& sink) const {
   std::call_once(polygons_once_,
                  [this] { polygons_.emplace(world_, *bsp_, camera_, occluders_, shading_, look_.clip); });

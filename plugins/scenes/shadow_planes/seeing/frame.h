@@ -7,11 +7,13 @@
 
 #include <moire/frame.h>
 
+#include "pixels/pixel_averages.h"
 #include "seeing/bsp.h"
 #include "seeing/first_faces.h"
 #include "seeing/lit_receivers.h"
 #include "seeing/shading.h"
 #include "seeing/shadow_polygons.h"
+#include "seeing/visible_parts.h"
 
 namespace shadow_planes {
 
@@ -33,6 +35,7 @@ class ShadowFrame final : public moire::Frame, private moire::Polygons {
   const moire::Receivers* receivers() const override {
     return world_.light.kind == LightKind::area ? &receivers_ : nullptr;
   }
+  const moire::Averages* averages() const override;
 
  private:
   // Polygons.
@@ -51,6 +54,9 @@ class ShadowFrame final : public moire::Frame, private moire::Polygons {
   // Made when they are first asked for.
   mutable std::once_flag polygons_once_;
   mutable std::optional<ShadowPolygons> polygons_;
+  mutable std::once_flag averages_once_;
+  mutable std::optional<VisibleParts> visible_;
+  mutable std::optional<PixelAverages> averages_;
 };
 
 }  // namespace shadow_planes

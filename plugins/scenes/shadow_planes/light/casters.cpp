@@ -1,0 +1,74 @@
+#include "light/casters.h"
+
+#include <algorithm>
+
+#include "outlines/cut.h"
+
+namespace shadow_planes {
+
+namespace {
+
+constexpr double in_plane = 1e-12;
+
+double size_of(Vector p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+// How far a point lies from the plane; 0 if only rounding says that it does not lie in it.
+double settled_distance(const Plane& plane, Vector p) {
+  const double distance = plane.distance(p);
+  return std::abs(distance) <= in_plane * (size_of(p) + std::abs(plane.d)) ? 0 : distance;
+}
+
+// Corners that follow a corner at the same place bound nothing.
+Convex without_repeats(const Convex& polygon) {
+  Convex out;
+  for (const Vector& p : polygon) {
+    if (out.empty() || !(out.back() == p)) out.push_back(p);
+  }
+  while (out.size() > 1 && out.back() == out.front()) out.pop_back();
+  return out;
+}
+
+bool has_area(const Convex& polygon) {
+  if (polygon.size() < 3) return false;
+  Vector sum;
+  double longest = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vector a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+    sum = sum + cross(a, b);
+    longest = std::max({longest, dot(a, a), dot(b, b)});
+  }
+  return length(sum) > 1e-15 * longest;
+}
+
+}  // namespace
+
+Convex clipped(const Convex& polygon, const Plane& plane) {
+  Convex out;
+  keep(
+      polygon, [&](const Vector& p) { return settled_distance(plane, p); }, out);
+  out = without_repeats(out);
+  if (out.size() < 3) out.clear();
+  return out;
+}
+
+std::vector<Caster> casters_on(const World& world, std::uint32_t receiver, const Plane& side) {
+  std::vector<Caster> casters;
+  if (!world.faces[receiver].receives) return casters;
+  const Light& light = world.light;
+  for (std::uint32_t face = 0; face < world.faces.size(); ++face) {
+    if (face == receiver || !world.faces[face].casts) continue;
+    for (const Convex& part : world.faces[face].parts) {
+      Convex corners = clipped(part, side);
+      if (light.kind == LightKind::area) corners = clipped(corners, light.plane);
+      if (light.kind == LightKind::point) {
+        corners = clipped(corners, {-side.normal, side.distance(light.place) - side.d});
+      }
+      const bool stands_out =
+          std::any_of(corners.begin(), corners.end(), [&](const Vector& p) { return settled_distance(side, p) > 0; });
+      if (stands_out && has_area(corners)) casters.push_back({face, world.faces[face].plane, std::move(corners)});
+    }
+  }
+  return casters;
+}
+
+}  // namespace shadow_planes
