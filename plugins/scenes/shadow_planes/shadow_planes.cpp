@@ -71,7 +71,7 @@ class ShadowPlanes final : public moire::Scene {
     world.ambient = {ambient, ambient, ambient};
     world.sky = moire::parse_color(settings.text("sky"));
     const Look look{settings.text("shading") == "flat" ? Shade::flat : Shade::diffuse,
-                        settings.text("clip") == "none" ? Clip::none : Clip::both};
+                    settings.text("clip") == "none" ? Clip::none : Clip::both};
     return std::make_unique<ShadowFrame>(std::move(world), bsp_, camera_of(settings, size), look);
   }
 
@@ -98,6 +98,12 @@ moire::Questions answers(const Settings& settings) {
   return is_flat ? points | polygons : points;
 }
 
+std::string problem(const Settings& settings) {
+  if (settings.text("clip") == "none" && light_kind_of(settings) == LightKind::area)
+    return "clip of \"none\" is for hard shadows, of a light.kind that is point or directional; of an area, both";
+  return {};
+}
+
 }  // namespace
 
 }  // namespace shadow_planes
@@ -108,6 +114,7 @@ MOIRE_SCENE(shadow_planes, "1.0.0",
                 .source = "Blinn 1988; Heckbert and Herf 1997",
                 .parameters = shadow_planes::parameters,
                 .answers = shadow_planes::answers,
+                .problem = shadow_planes::problem,
                 .make = [](const moire::Settings& settings) -> std::unique_ptr<moire::Scene> {
                   return std::make_unique<shadow_planes::ShadowPlanes>(settings);
                 },
