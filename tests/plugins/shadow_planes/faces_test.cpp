@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "outlines/outline.h"
 #include "plugins/shadow_planes/brute_force.h"
+#include "seeing/outline.h"
 #include "world/convex_parts.h"
 #include "world/faces.h"
 #include "world/kinds.h"

@@ -2,8 +2,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
-#include "outlines/cut.h"
 #include "plugins/shadow_planes/brute_force.h"
+#include "world/cut.h"
 #include "world/faces.h"
 #include "world/light_points.h"
 

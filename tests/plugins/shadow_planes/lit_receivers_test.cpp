@@ -105,9 +105,9 @@ TEST_CASE("covered parts of cells are those of the union of shadows, exactly") {
 }
 
 TEST_CASE("covered parts of slanted shadows that overlap sum to what many points find") {
-  constexpr int columns = 9, rows = 7, fine = sanitized ? 16 : 256;
+  constexpr int columns = 9, rows = 7, fine = sanitized ? 16 : 128;
   Randoms random(4);
-  for (int k = 0; k < (sanitized ? 5 : 60); ++k) {
+  for (int k = 0; k < (sanitized ? 5 : 40); ++k) {
     ShadowRaster area(columns, rows, ShadowEdges::by_area);
     ShadowRaster middles(columns * fine, rows * fine, ShadowEdges::by_middle);
     area.clear(), middles.clear();

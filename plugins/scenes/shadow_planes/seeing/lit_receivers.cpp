@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "hard/clip_to.h"
 #include "hard/kernel.h"
 #include "hard/shadow_raster.h"
-#include "outlines/clip_to.h"
 
 namespace shadow_planes {
 
