@@ -148,6 +148,27 @@ TEST_CASE("the first polygon at a point is what the point sees, with clipped and
   }
 }
 
+// A straight edge crosses 2 n of a pixel's n x n cells at most, each wrong by half a cell at most: 1 / n an edge, and
+// pixels of more than three edges' contrast are rare enough to have none here.
+TEST_CASE("exact areas of hard shadows are what many points find, the same bits in blocks of any width") {
+  constexpr int n = 32;
+  for (const char* light : {"point", "directional"}) {
+    const World world = world_of("room", {{"light.kind", std::string(light)}});
+    const Camera camera = camera_of(shadow_settings(), {45, 38});
+    const auto frame = frame_of(world, camera, {Shade::flat, Clip::both});
+    const auto exact = sampler("area", {{"method", std::string("exact")}});
+    const Rendered image = rendered(*exact, *frame);
+    CHECK(first_difference(image, rendered(*exact, *frame, nullptr, {.threads = 2, .block_width = 7})) == "");
+    const auto points = sampler("supersample", {{"n", std::int64_t{n}}, {"layout", std::string("grid")}});
+    const Rendered many = rendered(*points, *frame, nullptr, {.recording = false});
+    double worst = 0;
+    for (std::size_t k = 0; k < image.pixels.size(); ++k) {
+      worst = std::max(worst, difference(image.pixels[k].color, many.pixels[k].color));
+    }
+    CHECK(worst <= 3.0 / n);
+  }
+}
+
 TEST_CASE("visible parts fill every window once, and show what rays see first") {
   Randoms random(5);
   for (const char* kind : all_kinds) {
