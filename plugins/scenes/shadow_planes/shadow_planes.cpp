@@ -2,7 +2,7 @@
 #include <moire/error.h>
 #include <moire/plugin.h>
 
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 #include "seeing/view_settings.h"
 #include "world/faces.h"
 #include "world/kinds.h"

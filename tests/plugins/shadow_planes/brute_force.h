@@ -8,7 +8,7 @@
 #include <moire/texture.h>
 
 #include "seeing/camera.h"
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 #include "world/world.h"
 
 namespace moire::test {

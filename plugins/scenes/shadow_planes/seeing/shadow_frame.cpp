@@ -1,4 +1,4 @@
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 
 #include <utility>
 
