@@ -7,7 +7,7 @@
 #include "world/faces.h"
 #include "world/kinds.h"
 #include "world/light_settings.h"
-#include "world/reading.h"
+#include "world/source_file.h"
 
 namespace shadow_planes {
 
@@ -20,7 +20,7 @@ constexpr moire::Parameter parameters[] = {
     choice("kind", "room", kinds,
            "a furnished room, or a floor and above it: a tilted quadrilateral; one parallel to the light; three apart; "
            "a wall that stands on it, and two that overlap; eight slats"),
-    file("file", "faces and a light in JSON, as plugins/scenes/shadow_planes/world/reading.h says; none: `kind`"),
+    file("file", "faces and a light in JSON, as plugins/scenes/shadow_planes/world/source_file.h says; none: `kind`"),
     choice("shading", "diffuse", "diffuse flat",
            "by distance and by how a surface is turned to the light, or one colour wherever light falls"),
     choice("clip", "both", "both none",

@@ -5,7 +5,7 @@
 #include <moire/error.h>
 
 #include "plugins/shadow_planes/worlds.h"
-#include "world/reading.h"
+#include "world/source_file.h"
 
 namespace moire::test {
 namespace {
