@@ -4,6 +4,7 @@
 
 #include <moire/receivers.h>
 
+#include "hard/kernel.h"
 #include "hard/shadow_raster.h"
 #include "plugins/shadow_planes/brute_force.h"
 #include "plugins/shadow_planes/worlds.h"
@@ -134,6 +135,21 @@ TEST_CASE("covered parts of slanted shadows that overlap sum to what many points
       for (std::size_t i = 0; i < many.size(); ++i) CHECK(std::abs(lit[i] - many[i]) <= 3.0 * count / fine);
     }
   }
+}
+
+TEST_CASE("a cell gets the same bits in runs of any length, and so in vectors of any width") {
+  const KernelRow row{-1.7F, 0.013F, 3.1F, 0.4F, -0.21F};
+  constexpr int count = 300;
+  std::vector<float> whole(count, 0.1F), single(count, 0.1F), broken(count, 0.1F);
+  add_kernel(row, 0, count, 0.7F, whole.data());
+  for (int i = 0; i < count; ++i) add_kernel(row, i, i + 1, 0.7F, single.data());
+  for (int i = 0, length = 1; i < count; i += length, ++length)
+    add_kernel(row, i, std::min(count, i + length), 0.7F, broken.data());
+  CHECK(whole == single);
+  CHECK(whole == broken);
+  // Part of it is behind the light.
+  CHECK(whole.front() > 0.1F);
+  CHECK(whole.back() == 0.1F);
 }
 
 TEST_CASE("coplanar duplicates and lights in several calls leave maps as they are") {
