@@ -2,12 +2,12 @@
 #include <moire/error.h>
 #include <moire/plugin.h>
 
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 #include "seeing/view_settings.h"
 #include "world/faces.h"
 #include "world/kinds.h"
 #include "world/light_settings.h"
-#include "world/reading.h"
+#include "world/source_file.h"
 
 namespace shadow_planes {
 
@@ -20,7 +20,7 @@ constexpr moire::Parameter parameters[] = {
     choice("kind", "room", kinds,
            "a furnished room, or a floor and above it: a tilted quadrilateral; one parallel to the light; three apart; "
            "a wall that stands on it, and two that overlap; eight slats"),
-    file("file", "a world in JSON, instead of `kind`"),
+    file("file", "faces and a light in JSON, as plugins/scenes/shadow_planes/world/source_file.h says; none: `kind`"),
     choice("shading", "diffuse", "diffuse flat",
            "by distance and by how a surface is turned to the light, or one colour wherever light falls"),
     choice("clip", "both", "both none",
@@ -30,23 +30,24 @@ constexpr moire::Parameter parameters[] = {
     choice("light.kind", "area", "area point directional", "a polygon that shines, a point, or a far one"),
     real("light.size", 1, 1e-9, 1e3, "", "of area: multiplies its lengths, about its middle; its power stays")
         .per_frame(),
-    real("light.x", 0, -1e6, 1e6, "units", "moves the light; of directional: turns the direction towards it")
+    real("light.x", 0, -1e6, 1e6, "units", "moves the light along x; of directional: added to the direction towards it")
         .per_frame(),
-    real("light.y", 0, -1e6, 1e6, "units", "").per_frame(),
-    real("light.z", 0, -1e6, 1e6, "units", "").per_frame(),
+    real("light.y", 0, -1e6, 1e6, "units", "the same along y").per_frame(),
+    real("light.z", 0, -1e6, 1e6, "units", "the same upward").per_frame(),
     real("light.brightness", 0.9, 0, 1e6, "",
          "what a white surface shows that faces the light at light.distance, were all of the light in one point")
         .per_frame(),
     real("light.distance", 4, 1e-3, 1e6, "units", "of area and point").per_frame(),
     real("ambient", 0.12, 0, 1e6, "", "what a white surface shows without the light").per_frame(),
     color("sky", "#b8d4f0", "colour where there is no face").per_frame(),
-    real("view.eye_x", 1.5, -1e6, 1e6, "units", "where the camera is").per_frame(),
-    real("view.eye_y", -7.5, -1e6, 1e6, "units", "").per_frame(),
-    real("view.eye_z", 4.5, -1e6, 1e6, "units", "upward").per_frame(),
+    real("view.eye_x", 1.5, -1e6, 1e6, "units", "camera, along x").per_frame(),
+    real("view.eye_y", -7.5, -1e6, 1e6, "units", "camera, along y").per_frame(),
+    real("view.eye_z", 4.5, -1e6, 1e6, "units", "camera, upward").per_frame(),
     choice("view.aim", "target", "target angles", "what says where the camera looks"),
-    real("view.target_x", 0, -1e6, 1e6, "units", "what is seen in the middle, of aim target").per_frame(),
-    real("view.target_y", 0, -1e6, 1e6, "units", "").per_frame(),
-    real("view.target_z", 0.7, -1e6, 1e6, "units", "").per_frame(),
+    real("view.target_x", 0, -1e6, 1e6, "units", "of aim target: what is seen in the middle of the image, along x")
+        .per_frame(),
+    real("view.target_y", 0, -1e6, 1e6, "units", "the same along y").per_frame(),
+    real("view.target_z", 0.7, -1e6, 1e6, "units", "the same upward").per_frame(),
     real("view.yaw_deg", 90, -1e6, 1e6, "degrees", "of aim angles: 0 along x, 90 along y").per_frame(),
     real("view.pitch_deg", -30, -90, 90, "degrees", "of aim angles: above the horizontal").per_frame(),
     real("view.roll_deg", 0, -1e6, 1e6, "degrees", "turns the camera clockwise about the direction of view")
@@ -99,6 +100,12 @@ moire::Questions answers(const Settings& settings) {
          (kind != LightKind::area && is_flat ? polygons : none);
 }
 
+std::string problem(const Settings& settings) {
+  if (settings.text("clip") == "none" && light_kind_of(settings) == LightKind::area)
+    return "clip of \"none\" is for hard shadows, of a light.kind that is point or directional; of an area, both";
+  return {};
+}
+
 }  // namespace
 
 }  // namespace shadow_planes
@@ -109,6 +116,7 @@ MOIRE_SCENE(shadow_planes, "1.0.0",
                 .source = "Blinn 1988; Heckbert and Herf 1997",
                 .parameters = shadow_planes::parameters,
                 .answers = shadow_planes::answers,
+                .problem = shadow_planes::problem,
                 .make = [](const moire::Settings& settings) -> std::unique_ptr<moire::Scene> {
                   return std::make_unique<shadow_planes::ShadowPlanes>(settings);
                 },

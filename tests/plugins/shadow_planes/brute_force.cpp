@@ -47,8 +47,8 @@ bool stands_between(const Convex& part, const Vector& point, const Homogeneous& 
   return false;
 }
 
-std::optional<Seen> first_face(const shadow_planes::World& world, const shadow_planes::Camera& camera, Point p) {
-  std::optional<Seen> first;
+std::optional<FaceMet> first_face(const shadow_planes::World& world, const shadow_planes::Camera& camera, Point p) {
+  std::optional<FaceMet> first;
   long double nearest = std::numeric_limits<long double>::infinity();
   const Vector way = camera.ray(p);
   for (std::uint32_t k = 0; k < world.faces.size(); ++k) {
@@ -58,7 +58,7 @@ std::optional<Seen> first_face(const shadow_planes::World& world, const shadow_p
         // Of those in one plane, the first of the list.
         if (!met || *met <= 0 || *met >= nearest * (1 - 1e-12L)) continue;
         nearest = *met;
-        first = Seen{k, camera.eye + static_cast<double>(*met) * way};
+        first = FaceMet{k, camera.eye + static_cast<double>(*met) * way};
       }
     }
   }

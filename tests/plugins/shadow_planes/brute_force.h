@@ -8,7 +8,7 @@
 #include <moire/texture.h>
 
 #include "seeing/camera.h"
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 #include "world/world.h"
 
 namespace moire::test {
@@ -39,13 +39,13 @@ std::optional<long double> ray_meets(const shadow_planes::Vector& from, const sh
 bool stands_between(const shadow_planes::Convex& part, const shadow_planes::Vector& point,
                     const shadow_planes::Homogeneous& light);
 
-struct Seen {
+struct FaceMet {
   std::uint32_t face;
   shadow_planes::Vector point;
 };
 
 // The nearest face through a point of the image.
-std::optional<Seen> first_face(const shadow_planes::World& world, const shadow_planes::Camera& camera, Point p);
+std::optional<FaceMet> first_face(const shadow_planes::World& world, const shadow_planes::Camera& camera, Point p);
 
 // What Frame::trace has to see with Clip::both and this light: element and colour.
 Hit seen(const shadow_planes::World& world, const shadow_planes::Camera& camera, shadow_planes::Shade shade,

@@ -3,8 +3,8 @@
 #include <catch2/catch_test_macros.hpp>
 #include <string>
 
+#include "hard/clip_to.h"
 #include "hard/shadow.h"
-#include "outlines/clip_to.h"
 #include "plugins/shadow_planes/brute_force.h"
 #include "sanitized.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 #include "seeing/view_settings.h"
 #include "support/plugins.h"
 #include "world/faces.h"

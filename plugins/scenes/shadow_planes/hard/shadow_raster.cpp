@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outlines/difference.h"
+#include "seeing/difference.h"
 
 namespace shadow_planes {
 

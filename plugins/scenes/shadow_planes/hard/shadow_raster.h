@@ -8,7 +8,7 @@
 
 #include <moire/receivers.h>
 
-#include "outlines/outline.h"
+#include "seeing/outline.h"
 
 namespace shadow_planes {
 

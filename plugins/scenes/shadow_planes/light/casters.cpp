@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "outlines/cut.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 

@@ -6,7 +6,7 @@
 
 #include <moire/geometry.h>
 
-#include "outlines/outline.h"
+#include "seeing/outline.h"
 
 namespace shadow_planes {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "outlines/cut.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 

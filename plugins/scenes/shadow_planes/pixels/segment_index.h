@@ -7,7 +7,7 @@
 
 #include <moire/tally.h>
 
-#include "outlines/outline.h"
+#include "seeing/outline.h"
 #include "pixels/critical_lines.h"
 #include "seeing/camera.h"
 

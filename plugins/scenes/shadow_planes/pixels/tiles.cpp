@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outlines/cut.h"
+#include "world/cut.h"
 #include "pixels/tile_rule.h"
 
 namespace shadow_planes {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "outlines/cut.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 

@@ -6,8 +6,8 @@
 
 #include <moire/geometry.h>
 
-#include "outlines/outline.h"
 #include "seeing/camera.h"
+#include "seeing/outline.h"
 #include "world/world.h"
 
 namespace shadow_planes {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "outlines/cut.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 

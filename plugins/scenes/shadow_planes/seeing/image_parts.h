@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "outlines/outline.h"
 #include "seeing/bsp.h"
 #include "seeing/camera.h"
+#include "seeing/outline.h"
 
 namespace shadow_planes {
 

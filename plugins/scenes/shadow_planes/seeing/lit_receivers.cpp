@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <limits>
 
+#include "hard/clip_to.h"
 #include "hard/kernel.h"
 #include "hard/shadow_raster.h"
-#include "outlines/clip_to.h"
 
 namespace shadow_planes {
 
 LitReceivers::LitReceivers(const World& world, const Occluders& occluders, const Shading& shading,
-                           const FirstFaces& faces, Clip clip, Shade shade)
+                           const FirstFaces& faces, Shade shade)
     : world_(world),
       occluders_(occluders),
       shading_(shading),
       faces_(faces),
-      clip_(clip),
       shade_(shade),
       receiver_of_(world.faces.size(), moire::ReceiverPoint::none) {
   for (std::uint32_t k = 0; k < world.faces.size(); ++k) {
@@ -92,7 +91,7 @@ class LitReceivers::Batch {
         receiver_(receivers.shading_.receiver(frame.face)),
         columns_(map.columns),
         rows_(map.rows),
-        project_(receivers.clip_),
+        project_(Clip::both),
         whole_{{0, 0}, {0.0 + columns_, 0}, {0.0 + columns_, 0.0 + rows_}, {0, 0.0 + rows_}},
         lights_(most, Lit{{}, ShadowRaster(columns_, rows_, edges)}) {}
 
@@ -104,7 +103,7 @@ class LitReceivers::Batch {
     lit.place = {dot(frame_.along, from_corner), dot(frame_.down, from_corner), receiver_.side.of(light)};
     lit.shadows.clear();
     for (const std::uint32_t by : receiver_.occluders) {
-      if (receivers_.clip_ == Clip::both && receivers_.occluders_.is_edge_on(by, light)) continue;
+      if (receivers_.occluders_.is_edge_on(by, light)) continue;
       for (const Convex& occluder : receivers_.occluders_.parts(by)) add_shadow(occluder, light, lit.shadows);
     }
     lit.shadows.sort();

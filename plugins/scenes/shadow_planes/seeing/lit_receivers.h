@@ -16,7 +16,7 @@ class LitReceivers final : public moire::Receivers {
  public:
   // All outlive this.
   LitReceivers(const World& world, const Occluders& occluders, const Shading& shading, const FirstFaces& faces,
-               Clip clip, Shade shade);
+               Shade shade);
 
   std::uint32_t count() const override { return static_cast<std::uint32_t>(frames_.size()); }
   Extent extent(std::uint32_t receiver) const override { return {frames_[receiver].width, frames_[receiver].height}; }
@@ -40,7 +40,6 @@ class LitReceivers final : public moire::Receivers {
   const Occluders& occluders_;
   const Shading& shading_;
   const FirstFaces& faces_;
-  Clip clip_;
   Shade shade_;
   std::vector<RectangleAround> frames_;
   std::vector<std::uint32_t> receiver_of_;  // of each face; ReceiverPoint::none if it is none

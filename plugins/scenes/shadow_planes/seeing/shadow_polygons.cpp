@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "outlines/clip_to.h"
+#include "hard/clip_to.h"
 
 namespace shadow_planes {
 

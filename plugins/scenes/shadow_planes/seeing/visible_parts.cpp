@@ -1,6 +1,6 @@
 #include "seeing/visible_parts.h"
 
-#include "outlines/difference.h"
+#include "seeing/difference.h"
 
 namespace shadow_planes {
 

@@ -81,7 +81,7 @@ std::string problem_of(std::span<const Vector> corners) {
     return fmt::format("is not flat (a corner is {:.3g} off its plane); {:.3g} at most is", off,
                        flat_enough * size_of(corners));
   if (const auto crossing = first_crossing(flattened(corners, plane.normal)))
-    return fmt::format("crosses itself (sides {} and {}); a simple polygon does not", crossing->first,
+    return fmt::format("crosses itself (sides from corners {} and {}); a simple polygon does not", crossing->first,
                        crossing->second);
   return {};
 }

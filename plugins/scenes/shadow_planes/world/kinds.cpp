@@ -113,7 +113,7 @@ Source room() {
                            {1.3, -14.0 / 15, 1.2},
                            {0.9, -1.2, 1.2}},
                           slate));
-  source.light.corners = reversed(board({1.7, -1.9, 3.6}, 1, 1, 17));
+  source.light.corners = reversed(board({1.2, -1.4, 3.8}, 1, 1, 17));
   source.light.towards = Vector{0.8, -0.9, 1.6};
   return source;
 }

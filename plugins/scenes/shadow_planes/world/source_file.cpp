@@ -1,4 +1,4 @@
-#include "world/reading.h"
+#include "world/source_file.h"
 
 #include <fmt/format.h>
 

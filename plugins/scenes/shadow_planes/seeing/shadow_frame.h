@@ -25,7 +25,7 @@ struct Look {
 
 class ShadowFrame final : public moire::Frame, private moire::Polygons {
  public:
-  // `bsp`: of these faces.
+  // `bsp`: of these faces. Requires: Clip::both if the light is an area.
   ShadowFrame(World world, std::shared_ptr<const Bsp> bsp, const Camera& camera, const Look& look);
 
   moire::ImageSize size() const override { return camera_.size; }

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "outlines/cut.h"
-#include "outlines/outline.h"
+#include "seeing/outline.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "outlines/cut.h"
-#include "outlines/outline.h"
+#include "seeing/outline.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 

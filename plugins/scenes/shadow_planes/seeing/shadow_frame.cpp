@@ -1,4 +1,4 @@
-#include "seeing/frame.h"
+#include "seeing/shadow_frame.h"
 
 #include <utility>
 
@@ -12,7 +12,7 @@ ShadowFrame::ShadowFrame(World world, std::shared_ptr<const Bsp> bsp, const Came
       occluders_(world_, look.clip),
       shading_(world_, occluders_, camera.eye, look.shade),
       faces_(world_, camera),
-      receivers_(world_, occluders_, shading_, faces_, look.clip, look.shade) {}
+      receivers_(world_, occluders_, shading_, faces_, look.shade) {}
 
 void ShadowFrame::trace(std::span<const moire::SamplePoint> points, std::span<moire::Hit> hits,
                         moire::Counters& counters) const {
