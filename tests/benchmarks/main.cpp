@@ -16,6 +16,7 @@
 #include "plane.h"
 #include "sampling/lookups.h"
 #include "shadows.h"
+#include "soft_pixels.h"
 #include "terrain_truth.h"
 #include "terrain_views.h"
 
@@ -219,6 +220,7 @@ int main(int argc, char** argv) {
   if (is_wanted("patterns")) benchmark::run_patterns(catalog);
   if (is_wanted("plane")) benchmark::textured_plane(catalog);
   if (is_wanted("shadows")) benchmark::run_shadows(catalog);
+  if (is_wanted("soft_pixels")) benchmark::run_soft_pixels();
   if (is_wanted("terrain")) benchmark::run_terrain(catalog);
   if (is_wanted("lookups")) benchmark::run_lookups();
   if (is_wanted("truth")) benchmark::terrain_truth(catalog);

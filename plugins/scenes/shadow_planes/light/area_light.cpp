@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "light/edge_angle.h"
 #include "light/triangle_rule.h"
 
 namespace shadow_planes {
@@ -83,17 +82,35 @@ Reach AreaLight::at(Vector x, std::span<const std::uint32_t> candidates, Scratch
   if (!(p.z > 0) || parts_.empty()) return {};
   const bool is_far = radius_ * radius_ < far_away * far_away * dot(p, p);
   Reach reach{0, front_share_};
-  for (const auto& part : parts_) reach.irradiance += irradiance_of(part.data(), part.size(), p, is_far);
-  if (candidates.empty()) return reach;
-  scratch.pieces.clear();
-  scratch.lines.clear();
-  scratch.shades.clear();
-  for (const std::uint32_t caster : candidates) {
-    add_hidden(caster, p, is_far, reach.irradiance, reach.lit, scratch);
+  double far_irradiance = 0;
+  scratch.sum.begin(p, normal_);
+  for (const auto& part : parts_) {
+    if (is_far) {
+      far_irradiance += irradiance_from_afar(part.data(), part.size(), p);
+    } else {
+      scratch.sum.add(part.data(), part.size());
+    }
+  }
+  if (!candidates.empty()) {
+    scratch.pieces.clear();
+    scratch.lines.clear();
+    scratch.shades.clear();
+    scratch.dark.clear();
+    for (const std::uint32_t caster : candidates) {
+      add_hidden(caster, p, reach.lit, scratch);
+    }
+    for (const Piece& piece : scratch.dark) {
+      const moire::Point* corners = &scratch.pieces[piece.first];
+      if (is_far) {
+        far_irradiance -= irradiance_from_afar(corners, piece.count, p);
+      } else {
+        scratch.sum.subtract(corners, piece.count);
+      }
+    }
   }
   // What rounding leaves of a light that several casters hide together.
   if (!(reach.lit > 1e-14 * front_share_)) return {};
-  reach.irradiance = std::max(reach.irradiance, 0.0);
+  reach.irradiance = std::max(is_far ? far_irradiance : scratch.sum.total(), 0.0);
   return reach;
 }
 
@@ -129,8 +146,7 @@ void AreaLight::narrow(std::span<const Vector> hull, std::span<const std::uint32
   }
 }
 
-void AreaLight::add_hidden(std::uint32_t caster, Vector p, bool is_far, double& irradiance, double& lit,
-                           Scratch& scratch) const {
+void AreaLight::add_hidden(std::uint32_t caster, Vector p, double& lit, Scratch& scratch) const {
   Pieces& pieces = scratch.pieces;
   const std::size_t first_line = scratch.lines.size();
   if (!borders(flats_[caster], p, scratch)) return;
@@ -142,9 +158,7 @@ void AreaLight::add_hidden(std::uint32_t caster, Vector p, bool is_far, double& 
     Piece outline = pieces.add(parts_[part]);
     for (std::size_t k = first_line; k < first_line + lines && outline.count >= 3; ++k) {
       const BorderLine& border = scratch.lines[k];
-      const Side side = pieces.side(outline, border);
-      if (side == Side::beyond) outline.count = 0;
-      if (side == Side::cut) pieces.cut(outline, border.line, border.tolerance, &outline, nullptr);
+      if (pieces.divide(outline, border, nullptr) == Side::beyond) outline.count = 0;
     }
     if (outline.count < 3 || pieces.doubled_area(outline) <= 2 * least) continue;
     met = true;
@@ -162,14 +176,10 @@ void AreaLight::add_hidden(std::uint32_t caster, Vector p, bool is_far, double& 
           continue;
         }
         for (auto border = begin; border != end && piece.count >= 3; ++border) {
-          const Side side = pieces.side(piece, *border);
-          if (side == Side::within) continue;
           Piece beyond = piece;
-          if (side == Side::beyond) {
-            piece.count = 0;
-          } else {
-            pieces.cut(piece, border->line, border->tolerance, &piece, &beyond);
-          }
+          const Side side = pieces.divide(piece, *border, &beyond);
+          if (side == Side::within) continue;
+          if (side == Side::beyond) piece.count = 0;
           if (beyond.count >= 3) scratch.rest.push_back(beyond);
         }
         if (piece.count >= 3 && pieces.doubled_area(piece) > 2 * least) scratch.overlap = true;
@@ -181,7 +191,7 @@ void AreaLight::add_hidden(std::uint32_t caster, Vector p, bool is_far, double& 
       const double area = 0.5 * pieces.doubled_area(piece);
       if (!(area > 0)) continue;
       share += area / area_;
-      irradiance -= irradiance_of(&pieces[piece.first], piece.count, p, is_far);
+      scratch.dark.push_back(piece);
     }
   }
   if (!met) return;
@@ -227,36 +237,19 @@ bool AreaLight::borders(const Flat& caster, Vector p, Scratch& scratch) const {
   return true;
 }
 
-double AreaLight::irradiance_of(const moire::Point* corners, std::size_t count, Vector p, bool is_far) const {
-  if (is_far) {
-    double sum = 0;
-    for (std::size_t k = 2; k < count; ++k) {
-      const moire::Point &a = corners[0], &b = corners[k - 1], &c = corners[k];
-      const double area = 0.5 * ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
-      for (const TrianglePoint& at : seven_points) {
-        const Vector r{at.a * a.x + at.b * b.x + at.c * c.x - p.x, at.a * a.y + at.b * b.y + at.c * c.y - p.y, -p.z};
-        // Cosine at the receiver times cosine at the light over distance squared, of a radiance of 1.
-        const double squared = dot(r, r);
-        sum += at.weight * area * (dot(normal_, r) / squared) * (p.z / squared);
-      }
-    }
-    return sum;
-  }
+double AreaLight::irradiance_from_afar(const moire::Point* corners, std::size_t count, Vector p) const {
   double sum = 0;
-  double fx = corners[count - 1].x, fy = corners[count - 1].y;
-  double rx = fx - p.x, ry = fy - p.y;
-  const double zz = p.z * p.z;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double tx = corners[k].x, ty = corners[k].y;
-    const double sx = tx - p.x, sy = ty - p.y;
-    // The edge from corner to corner does not lose digits to the point's distance; nor does its moment about p.
-    const double ex = tx - fx, ey = ty - fy, moment = rx * ey - ry * ex;
-    const double cross_squared = zz * (ex * ex + ey * ey) + moment * moment;
-    const double upright = normal_.x * (p.z * ey) - normal_.y * (p.z * ex) + normal_.z * moment;
-    sum += angle_over_sine(cross_squared, rx * sx + ry * sy + zz) * upright;
-    fx = tx, fy = ty, rx = sx, ry = sy;
+  for (std::size_t k = 2; k < count; ++k) {
+    const moire::Point &a = corners[0], &b = corners[k - 1], &c = corners[k];
+    const double area = 0.5 * ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+    for (const TrianglePoint& at : seven_points) {
+      const Vector r{at.a * a.x + at.b * b.x + at.c * c.x - p.x, at.a * a.y + at.b * b.y + at.c * c.y - p.y, -p.z};
+      // Cosine at the receiver times cosine at the light over distance squared, of a radiance of 1.
+      const double squared = dot(r, r);
+      sum += at.weight * area * (dot(normal_, r) / squared) * (p.z / squared);
+    }
   }
-  return -0.5 * sum;
+  return sum;
 }
 
 }  // namespace shadow_planes

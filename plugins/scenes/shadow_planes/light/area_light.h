@@ -31,8 +31,10 @@ class AreaLight : public Illumination {
   Vector turned(Vector v) const { return {dot(v, across_), dot(v, along_), dot(v, front_)}; }
   // Appends the lines that bound what the caster hides from p. False: nothing that the light has.
   bool borders(const Flat& caster, Vector p, Scratch& scratch) const;
-  void add_hidden(std::uint32_t caster, Vector p, bool is_far, double& irradiance, double& lit, Scratch& scratch) const;
-  double irradiance_of(const moire::Point* corners, std::size_t count, Vector p, bool is_far) const;
+  // Takes from `lit` what the caster hides first.
+  void add_hidden(std::uint32_t caster, Vector p, double& lit, Scratch& scratch) const;
+  // By quadrature of the kernel.
+  double irradiance_from_afar(const moire::Point* corners, std::size_t count, Vector p) const;
 
   Vector origin_, across_, along_, front_;
   Vector normal_;  // of the receiver

@@ -45,7 +45,10 @@ inline double arctangent(double t) {
 // dot product. 0 for opposite vectors, whose cross product the caller multiplies with it: an edge seen end to end from
 // a point on it brings nothing.
 inline double angle_over_sine(double cross_squared, double dot) {
-  if (dot > 0 && cross_squared <= steep_squared * dot * dot) return arctangent_ratio(cross_squared / (dot * dot)) / dot;
+  if (dot > 0 && cross_squared <= steep_squared * dot * dot) {
+    const double inverse = 1 / dot;
+    return inverse * arctangent_ratio(inverse * inverse * cross_squared);
+  }
   if (!(cross_squared > 0)) return 0;
   const double sine = std::sqrt(cross_squared), product = std::sqrt(cross_squared + dot * dot);
   // The tangent of half the angle, without a difference of near numbers.

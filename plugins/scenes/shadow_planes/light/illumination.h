@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "light/casters.h"
+#include "light/edge_sum.h"
 #include "light/pieces.h"
 
 namespace shadow_planes {
@@ -37,7 +38,8 @@ class Illumination {
     Pieces pieces;
     std::vector<BorderLine> lines;
     std::vector<Shade> shades;
-    std::vector<Piece> whole, rest;
+    std::vector<Piece> whole, rest, dark;
+    EdgeSum sum;
   };
 
   virtual ~Illumination() = default;

@@ -31,8 +31,9 @@ class Pieces {
 
   Piece add(const std::vector<moire::Point>& corners);
   Side side(Piece piece, const BorderLine& border) const;
-  // The parts of a piece that a line cuts. Points on the line belong to both, others to one.
-  void cut(Piece piece, const Line& line, double tolerance, Piece* within, Piece* beyond);
+  // Where a piece is cut it becomes the part within, and `beyond`, if asked for, the other. Points on the line belong
+  // to both.
+  Side divide(Piece& piece, const BorderLine& border, Piece* beyond);
   double doubled_area(Piece piece) const;
 
  private:
@@ -43,6 +44,7 @@ class Pieces {
   }
 
   std::vector<moire::Point> corners_;
+  std::vector<double> values_;  // of a line, at the corners of a piece
   std::size_t used_ = 0;
 };
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "light/triangle_rule.h"
+#include "pixels/outline_moments.h"
 
 namespace shadow_planes {
 
@@ -15,31 +17,29 @@ constexpr int deepest = 8;
 // Pieces of less than this part of a pixel are as good as their middle.
 constexpr double negligible = 1e-8;
 
+// Where edges that cross pass behind another, on a curve, the function bends: estimates that look for smooth terms see
+// too little of that.
+constexpr double bent = 4;
+
 moire::Point middle(moire::Point p, moire::Point q) { return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)}; }
 
-struct Moments {
-  double area;
-  moire::Point centroid;
-  double xx, xy, yy;  // central second moments over the area
+// Angles of points at equal distances on a circle, as their cosines and sines and those of twice and three times them.
+struct Direction {
+  double cos1, sin1, cos2, sin2, cos3, sin3;
 };
 
-Moments moments_of(const Outline& outline) {
-  // About the first corner, as a sum of triangles.
-  const moire::Point o = outline[0];
-  double area = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t k = 2; k < outline.size(); ++k) {
-    const double px = outline[k - 1].x - o.x, py = outline[k - 1].y - o.y;
-    const double qx = outline[k].x - o.x, qy = outline[k].y - o.y;
-    const double twice = px * qy - qx * py;
-    area += twice / 2;
-    x += twice * (px + qx) / 6;
-    y += twice * (py + qy) / 6;
-    xx += twice * (px * px + px * qx + qx * qx) / 12;
-    yy += twice * (py * py + py * qy + qy * qy) / 12;
-    xy += twice * (2 * px * py + px * qy + qx * py + 2 * qx * qy) / 24;
-  }
-  x /= area, y /= area;
-  return {area, {o.x + x, o.y + y}, xx / area - x * x, xy / area - x * y, yy / area - y * y};
+template <std::size_t count>
+const std::array<Direction, count>& directions(double first) {
+  static const std::array<Direction, count> all = [first] {
+    std::array<Direction, count> made;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double angle = first + 2 * std::numbers::pi * static_cast<double>(k) / count;
+      made[k] = {std::cos(angle),     std::sin(angle),     std::cos(2 * angle),
+                 std::sin(2 * angle), std::cos(3 * angle), std::sin(3 * angle)};
+    }
+    return made;
+  }();
+  return all;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Integral PieceIntegral::over(const Outline& outline, const moire::Point* contact
   }
   if (outline.size() == 3) return triangle({outline[0], outline[1], outline[2]}, candidates, 0);
   const std::size_t mark = gatherer_.mark();
-  const Integral rough = whole(outline, area, candidates);
+  const Integral rough = whole(outline, candidates);
   if (is_good(rough, area)) return rough;
   gatherer_.forget(mark);
   Integral sum;
@@ -82,29 +82,83 @@ Integral PieceIntegral::over(const Outline& outline, const moire::Point* contact
   return sum;
 }
 
-// Two rules of three points, each exact for polynomials of degree 2 over any convex outline: points on the ellipse
-// sqrt 2 times that of inertia, which lies within the outline (Kannan, Lovasz, Simonovits 1995, "Isoperimetric problems
-// for convex bodies and a localization lemma", theorem 4.1). The rules are mirror images in the centroid, so that what
-// they differ by is of the third order, and as large as it gets over the outline.
-Integral PieceIntegral::whole(const Outline& outline, double area, std::span<const std::uint32_t> candidates) {
-  const Moments m = moments_of(outline);
-  if (area < negligible) return {gatherer_.at(face_, m.centroid, candidates, area), 0};
-  const double l11 = std::sqrt(std::max(m.xx, 0.0)), l21 = l11 > 0 ? m.xy / l11 : 0;
-  const double l22 = std::sqrt(std::max(m.yy - l21 * l21, 0.0));
-  constexpr double half_root_3 = 0.86602540378443865, root_2 = 1.4142135623730951;
-  constexpr std::array<moire::Point, 3> corners{{{0, 1}, {-half_root_3, -0.5}, {half_root_3, -0.5}}};
-  Sums one, other;
-  bool is_first = true;
-  for (const double sign : {root_2, -root_2}) {
-    Sums& sums = sign > 0 ? one : other;
-    for (const moire::Point& u : corners) {
-      const moire::Point p{m.centroid.x + sign * l11 * u.x, m.centroid.y + sign * (l21 * u.x + l22 * u.y)};
-      sums = sums + gatherer_.at(face_, p, is_first ? candidates : std::span<const std::uint32_t>(met_), area / 6);
-      if (is_first) met_.assign(gatherer_.scratch.met.begin(), gatherer_.scratch.met.end());
-      is_first = false;
-    }
+// Exact for polynomials of degree 3 over any convex outline.
+//
+// Seven points on the ellipse sqrt 2 times that of inertia, which lies within the outline (Kannan, Lovasz, Simonovits
+// 1995, "Isoperimetric problems for convex bodies and a localization lemma", theorem 4.1): their mean is right to
+// degree 2. In the coordinates that make the ellipse a circle, third order is r^3 times the cosine and sine of the
+// angle and of three times it. The seven see the latter, and correct the mean by the outline's moments. The former need
+// three points further in, asked for only where they may matter.
+Integral PieceIntegral::whole(const Outline& outline, std::span<const std::uint32_t> candidates) {
+  const OutlineMoments m = moments_of(outline);
+  if (m.area < negligible) return {gatherer_.at(face_, m.centroid, candidates, m.area), 0};
+  constexpr double root_2 = 1.4142135623730951, inner = 0.6;
+  // Not along a side of common outlines, so that no point of a triangle is on an edge.
+  const auto& outer_ring = directions<7>(0.3);
+  const auto& inner_ring = directions<3>(0);
+  const std::size_t mark = gatherer_.mark();
+  std::array<Sums, 7> values;
+  bool overlap = false;
+  for (std::size_t k = 0; k < 7; ++k) {
+    const Direction& d = outer_ring[k];
+    values[k] = gatherer_.at(face_, m.at(root_2 * d.cos1, root_2 * d.sin1),
+                             k == 0 ? candidates : std::span<const std::uint32_t>(met_), 1);
+    if (k == 0) met_.assign(gatherer_.scratch.met.begin(), gatherer_.scratch.met.end());
+    overlap |= gatherer_.scratch.overlap;
   }
-  return {one + other, std::abs(one.light - other.light)};
+  // The share of each point in the third harmonics of the outline.
+  const double cube = root_2 * root_2 * root_2;
+  std::array<double, 10> weight{};
+  moire::Point first, second, third_order;
+  double correction = 0;
+  for (std::size_t k = 0; k < 7; ++k) {
+    const Direction& d = outer_ring[k];
+    const double value = 2.0 / 7 * values[k].light;
+    first.x += d.cos1 * value, first.y += d.sin1 * value;
+    second.x += d.cos2 * value, second.y += d.sin2 * value;
+    third_order.x += d.cos3 * value, third_order.y += d.sin3 * value;
+    const double third = 2.0 / 7 / cube * (d.cos3 * m.cos3 + d.sin3 * m.sin3);
+    correction += third * values[k].light;
+    weight[k] = 1.0 / 7 + third;
+  }
+  const double a1 = std::hypot(first.x, first.y), a2 = std::hypot(second.x, second.y);
+  const double a3 = std::hypot(third_order.x, third_order.y);
+  // The fourth order by how the harmonics fall.
+  const auto fall = [](double from, double to) { return to < from ? to / from : from == 0 && to == 0 ? 0.0 : 1.0; };
+  const double rest = (overlap ? bent : std::max(fall(a1, a2), fall(a2, a3))) * a3;
+  // Of third order, what was not asked for is as large as what was.
+  const double unasked = std::hypot(m.cos1, m.sin1) * a3 / cube;
+  double error = rest + unasked;
+  std::size_t count = 7;
+  std::array<Sums, 3> more;
+  if (!is_good({{}, m.area * error}, m.area) && is_good({{}, m.area * rest}, m.area)) {
+    const double gap = 2 - inner * inner;
+    double asked = 0;
+    for (std::size_t k = 0; k < 7; ++k) {
+      // Points further in see second harmonics as first ones; these have them to take away.
+      const Direction& d = outer_ring[k];
+      const double share =
+          2.0 / 7 / gap *
+          (m.cos1 * (d.cos1 / root_2 + d.cos2 * inner / 2) + m.sin1 * (d.sin1 / root_2 - d.sin2 * inner / 2));
+      asked += share * values[k].light;
+      weight[k] += share;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Direction& d = inner_ring[k];
+      more[k] = gatherer_.at(face_, m.at(inner * d.cos1, inner * d.sin1), met_, 1);
+      weight[7 + k] = -2.0 / 3 / (inner * gap) * (m.cos1 * d.cos1 + m.sin1 * d.sin1);
+      asked += weight[7 + k] * more[k].light;
+    }
+    error = rest + (std::abs(correction) + std::abs(asked)) / 8;
+    count = 10;
+  }
+  Integral result{{}, m.area * error};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Sums& value = k < 7 ? values[k] : more[k - 7];
+    result.sums = result.sums + (m.area * weight[k]) * value;
+  }
+  gatherer_.weigh(mark, {weight.data(), count}, m.area);
+  return result;
 }
 
 // Seven points, of degree 5, held against four of them, of degree 2: the middle and the corners of the inner triangle
@@ -115,6 +169,7 @@ Integral PieceIntegral::triangle(const Triangle& t, std::span<const std::uint32_
   const std::size_t mark = gatherer_.mark();
   Integral result;
   double rough = 0;
+  bool overlap = false;
   constexpr double near = 0.10128650732345634;
   constexpr double corner = (1.0 / 2 - 1.0 / 3) / (2 * near * near + (1 - 2 * near) * (1 - 2 * near) - 1.0 / 3) / 3;
   for (std::size_t k = 0; k < seven_points.size(); ++k) {
@@ -124,11 +179,12 @@ Integral PieceIntegral::triangle(const Triangle& t, std::span<const std::uint32_
     const Sums here =
         gatherer_.at(face_, p, k == 0 ? candidates : std::span<const std::uint32_t>(met_), area * at.weight);
     if (k == 0) met_.assign(gatherer_.scratch.met.begin(), gatherer_.scratch.met.end());
+    overlap |= gatherer_.scratch.overlap;
     result.sums = result.sums + here;
     const double weight = k == 0 ? 1 - 3 * corner : k < 4 ? corner : 0;
     rough += here.light * (weight / at.weight);
   }
-  result.error = std::abs(result.sums.light - rough);
+  result.error = (overlap ? bent : 1) * std::abs(result.sums.light - rough);
   if (is_good(result, area) || depth >= deepest) return result;
   gatherer_.forget(mark);
   const moire::Point ab = middle(t.a, t.b), bc = middle(t.b, t.c), ca = middle(t.c, t.a);

@@ -26,7 +26,7 @@ class PieceIntegral {
     double area() const;
   };
 
-  Integral whole(const Outline& outline, double area, std::span<const std::uint32_t> candidates);
+  Integral whole(const Outline& outline, std::span<const std::uint32_t> candidates);
   Integral triangle(const Triangle& triangle, std::span<const std::uint32_t> candidates, int depth);
   Integral around(const Triangle& triangle, std::span<const std::uint32_t> candidates, int depth);
   Integral collapsed(const Triangle& triangle, std::span<const std::uint32_t> candidates);

@@ -46,8 +46,8 @@ bool Tiles::is_wanted(const Tile& tile) const {
 }
 
 void Tiles::count(const Tile& tile) {
-  if (is_wanted({tile.x, tile.y, 1})) block_.counters.queries += gatherer_.evaluations;
-  gatherer_.evaluations = 0;
+  if (is_wanted({tile.x, tile.y, 1})) block_.counters.queries += gatherer_.points() - counted_;
+  counted_ = gatherer_.points();
 }
 
 template <class Each>
@@ -129,7 +129,7 @@ bool Tiles::interpolate(const Tile& tile, const ShadedFace& face, Candidates can
     // Edges of casters that cross before the light may pass behind one of its edges, on a curve.
     is_smooth &= !gatherer_.scratch.overlap;
     for (std::size_t s = start; s < gatherer_.mark(); ++s) {
-      const auto& [by, weight] = gatherer_.shadows()[s];
+      const auto& [point, by, weight] = gatherer_.shadows()[s];
       const auto found = std::find(shadowing_.begin(), shadowing_.end(), by);
       const auto quantity = static_cast<std::size_t>(found - shadowing_.begin());
       if (found == shadowing_.end()) {
@@ -142,7 +142,7 @@ bool Tiles::interpolate(const Tile& tile, const ShadedFace& face, Candidates can
   }
   const double error = rule.error({values_[0].data(), points}, is_smooth);
   count(tile);
-  if (!(error <= face.tolerance)) return false;
+  if (!(error <= (is_smooth ? 1 : 0.25) * face.tolerance)) return false;
   const std::size_t quantities = 2 + shadowing_.size();
   if (averages_.size() < quantities) averages_.resize(quantities);
   const auto pixels = static_cast<std::size_t>(tile.side * tile.side);
@@ -229,7 +229,10 @@ void Tiles::cut(const ImageSegment& segment) {
 }
 
 void Tiles::collect_shadows(std::size_t mark, double factor) {
-  shadows_.assign(gatherer_.shadows().begin() + static_cast<std::ptrdiff_t>(mark), gatherer_.shadows().end());
+  shadows_.clear();
+  for (std::size_t k = mark; k < gatherer_.mark(); ++k) {
+    shadows_.push_back({gatherer_.shadows()[k].face, gatherer_.shadows()[k].weight});
+  }
   gatherer_.forget(mark);
   std::stable_sort(shadows_.begin(), shadows_.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
   std::size_t faces = 0;

@@ -58,6 +58,7 @@ class Tiles {
   moire::Color sky_;
   moire::PixelBlock& block_;
   Gatherer gatherer_;
+  std::uint64_t counted_ = 0;  // points
   double error_ = 0;
 
   std::vector<Part> parts_;
