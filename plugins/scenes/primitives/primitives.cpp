@@ -81,7 +81,7 @@ class Primitives final : public moire::Scene {
 MOIRE_SCENE(primitives, "1.0.0",
             (moire::ScenePlugin{
                 .summary = "Lines and circles of any width, from JSON or built in.",
-                .source = "Jang 1997: antialiased lines and circles, after Wu 1991",
+                .source = "Jang 1997: lines and circles with real end points and radii; Wu 1991",
                 .parameters = primitives::parameters,
                 .answers =
                     [](const moire::Settings&) {
