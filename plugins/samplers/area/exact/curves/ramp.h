@@ -9,13 +9,12 @@ namespace area {
 // below an edge whose heights at the stretch's ends are a and b. No two numbers of like size are subtracted, however
 // steep or flat the ramp is.
 inline double covered(double a, double b) {
-  const double low = std::min(a, b), high = std::max(a, b);
-  if (low >= 0) {
-    if (high <= 1) return (low + high) / 2;
-    return low >= 1 ? 1 : 1 - (1 - low) * (1 - low) / (2 * (high - low));
-  }
-  if (high <= 0) return 0;
-  return (high <= 1 ? high * high / 2 : high - 0.5) / (high - low);
+  const double low = std::min(a, b), high = std::max(a, b), rise = high - low;
+  const double low_inside = std::clamp(low, 0.0, 1.0), high_inside = std::clamp(high, 0.0, 1.0);
+  if (!(rise > 0)) return low_inside;
+  // The part between 0 and 1, times its mean, and the part above.
+  const double inside = (high_inside - low_inside) * (low_inside + high_inside) / 2;
+  return (inside + std::max(high - std::max(low, 1.0), 0.0)) / rise;
 }
 
 }  // namespace area
