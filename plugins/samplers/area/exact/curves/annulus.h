@@ -16,6 +16,7 @@
 #include "exact/curves/arc.h"
 #include "exact/curves/local_shapes.h"
 #include "exact/curves/pair.h"
+#include "exact/curves/ramp.h"
 #include "exact/curves/whole.h"
 
 namespace area {
@@ -186,7 +187,7 @@ void Annulus::rows(const moire::PixelArea& clip, Put put) const {
         const Strips x = strips(column - column_, x_);
         double sum = area(*outer_, x, y);
         if (inner_ && sum > 0) sum -= area(*inner_, x, y);
-        put(column, row, std::clamp(sum, 0.0, 1.0));
+        put(column, row, clamped(sum));
       }
     };
     if (is_small || y.count == 2) {
@@ -237,7 +238,7 @@ void Annulus::outward(int row, int column, int stop, int step, const Strip& y, P
                          segment_series<few_terms>(chord_squared * (inverses_ * inverses_ * Pair(0.25)));
     const Pair inside = px + dx * (py + qy) * Pair(0.5) + segment;
     const Pair areas = chosen(corner <= none, none, chosen(none <= beyond, one, inside));
-    put(column, row, std::clamp(areas.difference(), 0.0, 1.0));
+    put(column, row, clamped(areas.difference()));
     x = next, corner = beside, above = beyond;
   }
 }

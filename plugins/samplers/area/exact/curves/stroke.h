@@ -141,8 +141,7 @@ void Stroke::inner_columns(int first, int end, const moire::PixelArea& clip, Put
   const double lower_end = std::min(slope_, 0.0), height = 2 * half_height_;
   if (height > 2) return wide_columns(first, end, clip, put);
   const auto put_in = [&](int column, int row, double area) __attribute__((always_inline)) {
-    if (static_cast<unsigned>(row - clip.y0) < static_cast<unsigned>(clip.height))
-      put(column, row, std::clamp(area, 0.0, 1.0));
+    if (static_cast<unsigned>(row - clip.y0) < static_cast<unsigned>(clip.height)) put(column, row, clamped(area));
   };
   // The mean over the column of what an edge rises above a border, from its lower end's height: the mean of its heights
   // at the ends of the part above, times that part. A choice between cases would cost more than all the arithmetic.
@@ -209,7 +208,7 @@ void Stroke::end_columns(int first, int end, const Place& origin, std::span<cons
       for (int k = 0; k < count; ++k) {
         area += stretches[k].weight * covered(stretches[k].a - top, stretches[k].b - top);
       }
-      put(column, row, std::clamp(area, 0.0, 1.0));
+      put(column, row, clamped(area));
     }
   }
 }
