@@ -89,7 +89,7 @@ std::vector<FlatPolygon> chorded(const std::vector<Curve>& curves, int corners) 
 
 TEST_CASE("images of curves have their exact areas in hard pixels, and weights that sum to 1") {
   for (const std::string_view kind : hard_curve_kinds()) {
-    for (std::uint64_t seed = 101; seed <= (sanitized ? 102 : 104); ++seed) {
+    for (std::uint64_t seed = 101; seed <= (sanitized ? 101 : 102); ++seed) {
       const HardCurves pixel = hard_curves(kind, seed);
       const std::vector<double> truth = visible_areas(pixel.curves, pixel.x, pixel.y);
       const Rendered image = exact(CurveFrame({12, 12}, pixel.curves));
@@ -108,8 +108,9 @@ TEST_CASE("images of curves have their exact areas in hard pixels, and weights t
   }
 }
 
-// A chord's polygon leaves out a segment of sagitta r (1 - cos(pi / n)) at the most: so wide a strip along each
-// circle, of which a pixel sees less than 4 r' of each within r' = 1 of itself, whatever is drawn over it.
+// A chord's polygon leaves out a strip along its circle that is r (1 - cos(pi / n)) wide at the most and, within a
+// pixel, shorter than the pixel's outline. What an element shows is off by no more than the strips of all that are seen
+// there, each of which has two circles.
 TEST_CASE("images of curves agree with the sweep over polygons of ever more corners") {
   constexpr int side = 40, count = 30;
   for (std::uint64_t seed = 1; seed <= (sanitized ? 1 : 3); ++seed) {
@@ -118,14 +119,19 @@ TEST_CASE("images of curves agree with the sweep over polygons of ever more corn
     for (const int corners : {256, 4096}) {
       const Rendered polygons = rendered(*plugin("sweep"), PolygonFrame({side, side}, chorded(curves, corners)));
       const double sagitta = (side / 2.0 + 4) * (1 - std::cos(std::numbers::pi / corners));
-      double worst = 0;
+      double worst = 0;  // as a share of what is allowed
       for (std::size_t p = 0; p < image.pixels.size(); ++p) {
         const auto one = weights(image.pixels[p], count), other = weights(polygons.pixels[p], count);
-        for (std::size_t k = 0; k < one.size(); ++k) worst = std::max(worst, std::abs(one[k] - other[k]));
+        double seen = 0, error = 0;
+        for (std::size_t k = 0; k < one.size(); ++k) {
+          seen += one[k] > 0 || other[k] > 0 ? 1 : 0;
+          error = std::max(error, std::abs(one[k] - other[k]));
+        }
+        worst = std::max(worst, error / (seen * 2 * 4 * sagitta + 1e-12));
       }
       CAPTURE(seed, corners, worst);
-      CHECK(worst <= 4 * 2 * sagitta * 3 + 1e-12);
-      CHECK(worst > 0);
+      CHECK(worst <= 1);
+      CHECK(worst > 0.01);
     }
   }
 }

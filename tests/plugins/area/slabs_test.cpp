@@ -3,8 +3,6 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "exact/curves/shape.h"
 #include "hard_curves.h"
 #include "sanitized.h"
@@ -34,9 +32,8 @@ double bound(const HardCurves& pixel) { return 1e-14 * static_cast<double>(pixel
 
 TEST_CASE("each curve gets its exact visible area in hard pixels, and a pixel's areas sum to 1") {
   for (const std::string_view kind : hard_curve_kinds()) {
-    double worst = 0;
     const bool is_large = kind == "forty of them" || kind == "a fan of thirty lines";
-    for (std::uint64_t seed = 1; seed <= (sanitized ? 4 : is_large ? 4 : 60); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (is_large ? (sanitized ? 1 : 2) : (sanitized ? 2 : 40)); ++seed) {
       const HardCurves pixel = hard_curves(kind, seed);
       const std::vector<double> areas = found(pixel), truth = visible_areas(pixel.curves, pixel.x, pixel.y);
       double error = 0, sum = 0;
@@ -48,11 +45,8 @@ TEST_CASE("each curve gets its exact visible area in hard pixels, and a pixel's 
       CHECK(error <= bound(pixel));
       CHECK(std::abs(sum - 1) <= 1e-12);
       CHECK(*std::min_element(areas.begin(), areas.end()) >= -1e-15);
-      worst = std::max(worst, error);
     }
-    UNSCOPED_INFO(fmt::format("{}: {:.2g}", kind, worst));
   }
-  CHECK(true);
 }
 
 }  // namespace moire::test

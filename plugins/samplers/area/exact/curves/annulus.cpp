@@ -5,6 +5,7 @@ namespace area {
 Annulus::Annulus(moire::Point center, double radius)
     : column_(std::floor(center.x)), row_(std::floor(center.y)), x_(center.x - column_), y_(center.y - row_) {
   if (radius > 0) outer_.emplace(std::floor(radius), radius - std::floor(radius));
+  keep_pairs();
 }
 
 Annulus::Annulus(const moire::CircleCurve& circle) : Annulus(circle.center, 0) {
@@ -14,6 +15,15 @@ Annulus::Annulus(const moire::CircleCurve& circle) : Annulus(circle.center, 0) {
   const double radius = circle.radius - whole_radius, rest = half - whole_half;
   outer_.emplace(whole_radius + whole_half, radius + rest);
   if (circle.radius > half) inner_.emplace(whole_radius - whole_half, radius - rest);
+  keep_pairs();
+}
+
+void Annulus::keep_pairs() {
+  if (!outer_) return;
+  const bool has_hole = inner_.has_value();
+  squares_ = {outer_->whole_square(), has_hole ? inner_->whole_square() : -1};
+  rests_ = {outer_->rest_of_square(), has_hole ? inner_->rest_of_square() : 0};
+  inverses_ = {outer_->inverse(), has_hole ? inner_->inverse() : 0};
 }
 
 moire::PixelArea Annulus::bounds(const moire::PixelArea& clip) const {

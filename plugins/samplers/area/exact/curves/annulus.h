@@ -15,6 +15,8 @@
 
 #include "exact/curves/arc.h"
 #include "exact/curves/local_shapes.h"
+#include "exact/curves/pair.h"
+#include "exact/curves/ramp.h"
 #include "exact/curves/whole.h"
 
 namespace area {
@@ -46,7 +48,8 @@ class Annulus {
   // True: no width.
   bool is_empty() const { return !outer_; }
 
-  // Calls put(x, y, area) for the pixels of `clip` that it touches, the same to the bit whatever `clip` is.
+  // Calls put(x, y, area) for the pixels of `clip` that it touches and some beside it, whose area is 0; the same to the
+  // bit whatever `clip` is.
   template <class Put>
   void areas(const moire::PixelArea& clip, Put put) const;
 
@@ -110,8 +113,15 @@ class Annulus {
     return {excess(radius, bx, by), x_ - nx, y_ - ny, radius.value()};
   }
 
+  void keep_pairs();
+  template <bool few_terms, class Put>
+  void rows(const moire::PixelArea& clip, Put put) const;
+  template <bool few_terms, class Put>
+  void outward(int row, int column, int stop, int step, const Strip& y, Put put) const;
+
   double column_, row_, x_, y_;  // the centre: a pixel's corner, and what goes beyond it
   std::optional<Radius> outer_, inner_;
+  Pair squares_, rests_, inverses_;  // of both radii; without a hole its square is negative
 };
 
 // Of the disk, in a rectangle to one side of both axes.
@@ -140,37 +150,96 @@ inline double Annulus::area(const Radius& radius, const Strip& x, const Strip& y
 template <class Put>
 void Annulus::areas(const moire::PixelArea& clip, Put put) const {
   if (is_empty()) return;
+  // A chord in a pixel is no longer than the root of 2: u of the series is below 2^-10 from this radius on.
+  const double least = inner_ ? inner_->value() : outer_->value();
+  if (least > 23) {
+    rows<true>(clip, put);
+  } else {
+    rows<false>(clip, put);
+  }
+}
+
+template <bool few_terms, class Put>
+void Annulus::rows(const moire::PixelArea& clip, Put put) const {
   const moire::PixelArea all = bounds(clip);
   const double center = column_ + x_;
   // Circles that cross a row are looked for a little farther out, and holes a little farther in.
   const double margin = 0x1p-40 * (1 + outer_->value());
+  const bool is_small = (inner_ ? inner_->value() : outer_->value()) < 5;
   for (int row = all.y0; row < all.y0 + all.height; ++row) {
     const Strips y = strips(row - row_, y_);
     const double nearest = y.strip[0].near.distance;
-    const double farthest =
-        y.count == 2 ? std::max(y.strip[0].far.distance, y.strip[1].far.distance) : y.strip[0].far.distance;
+    const double farthest = std::max(y.strip[0].far.distance, y.strip[1].far.distance);
     const double reach = half_width(*outer_, nearest) + margin;
     const int first = std::max(all.x0, whole(std::floor(center - reach)));
-    const int end = std::min(all.x0 + all.width, whole(std::ceil(center + reach)));
+    const int end = std::max(first, std::min(all.x0 + all.width, whole(std::ceil(center + reach))));
     // Columns that see the hole alone in this row.
-    int hole_first = end, hole_end = end;
+    int hole = first, hole_end = first;
     if (inner_) {
-      const double hole = half_width(*inner_, farthest) - margin;
-      if (hole > 0) {
-        hole_first = std::clamp(whole(std::ceil(center - hole)), first, std::max(first, end));
-        hole_end = std::clamp(whole(std::floor(center + hole)), hole_first, std::max(hole_first, end));
+      const double half = half_width(*inner_, farthest) - margin;
+      if (half > 0) {
+        hole = std::clamp(whole(std::ceil(center - half)), first, end);
+        hole_end = std::clamp(whole(std::floor(center + half)), hole, end);
       }
     }
-    const auto columns = [&](int from, int to) {
+    const auto one_by_one = [&](int from, int to) {
       for (int column = from; column < to; ++column) {
         const Strips x = strips(column - column_, x_);
         double sum = area(*outer_, x, y);
         if (inner_ && sum > 0) sum -= area(*inner_, x, y);
-        if (sum > 0) put(column, row, std::min(sum, 1.0));
+        put(column, row, clamped(sum));
       }
     };
-    columns(first, hole_first);
-    columns(hole_end, end);
+    if (is_small || y.count == 2) {
+      one_by_one(first, hole);
+      one_by_one(hole_end, end);
+      continue;
+    }
+    // Outward from the centre, whose own column has two sides.
+    const int left = std::clamp(whole(column_), first, end), right = std::clamp(whole(std::ceil(center)), first, end);
+    const bool has_hole = hole < hole_end;
+    outward<few_terms>(row, (has_hole ? std::min(hole, left) : left) - 1, first - 1, -1, y.strip[0], put);
+    if (!has_hole || hole > left || hole_end < right) one_by_one(left, right);
+    outward<few_terms>(row, has_hole ? std::max(hole_end, right) : right, end, 1, y.strip[0], put);
+  }
+}
+
+// Both circles at once, from column to column: what is known of the border between two serves both.
+template <bool few_terms, class Put>
+void Annulus::outward(int row, int column, int stop, int step, const Strip& y, Put put) const {
+  const Pair near_square = squares_ - Pair(y.near.whole_square), far_square = squares_ - Pair(y.far.whole_square);
+  const Pair near_rest = rests_ - Pair(y.near.rest_of_square), far_rest = rests_ - Pair(y.far.rest_of_square);
+  const auto border_at = [&](int n) { return border(n - column_, x_); };
+  const auto excesses = [&](const Border& x, Pair& near, Pair& far) {
+    const Pair square(x.whole_square), rest(x.rest_of_square);
+    near = (near_square - square) + (near_rest - rest);
+    far = (far_square - square) + (far_rest - rest);
+  };
+  // On a side of a corner: from the corner to the circle, whose side's distance from the centre is `across`.
+  const auto length = [](Pair excess, Pair across) {
+    return excess / (sqrt(max(excess + across * across, Pair())) + across);
+  };
+  const Pair one(1), none, y_near(y.near.distance);
+  Border x = border_at(step > 0 ? column : column + 1);
+  Pair corner, above, beside, beyond;
+  excesses(x, corner, above);
+  for (; column != stop; column += step) {
+    const Border next = border_at(step > 0 ? column + 1 : column);
+    excesses(next, beside, beyond);
+    // As in area().
+    const Pair x_near(x.distance);
+    const Pair p_beside = above <= none, q_above = beside <= none;
+    const Pair p = length(chosen(p_beside, corner, above), chosen(p_beside, y_near, x_near));
+    const Pair q = length(chosen(q_above, corner, beside), chosen(q_above, x_near, y_near));
+    const Pair px = chosen(p_beside, none, p), py = chosen(p_beside, p, one);
+    const Pair qx = chosen(q_above, q, one), qy = chosen(q_above, none, q);
+    const Pair dx = qx - px, dy = py - qy, chord_squared = dx * dx + dy * dy;
+    const Pair segment = chord_squared * sqrt(chord_squared) * inverses_ * Pair(0.125) *
+                         segment_series<few_terms>(chord_squared * (inverses_ * inverses_ * Pair(0.25)));
+    const Pair inside = px + dx * (py + qy) * Pair(0.5) + segment;
+    const Pair areas = chosen(corner <= none, none, chosen(none <= beyond, one, inside));
+    put(column, row, clamped(areas.difference()));
+    x = next, corner = beside, above = beyond;
   }
 }
 

@@ -147,6 +147,7 @@ void Slabs::look_at(const Box& box, std::size_t first, std::size_t end) {
 
 void Slabs::cut(std::size_t first, std::size_t end, double area) {
   find_events(first, end);
+  find_strands(first, end);
   for (std::size_t k = 0; k + 1 < events_.size(); ++k) {
     if (events_[k] < events_[k + 1]) slab(first, end, events_[k], events_[k + 1], area);
   }
@@ -219,48 +220,69 @@ void Slabs::arc_events(const Arc& one, const Arc& other) {
   line_events({equal, 0, 0}, one.disk.radius < other.disk.radius ? one : other);
 }
 
-void Slabs::insert(double area, std::size_t cover, int step) {
-  // Sorted as they come: there are few, and those of one cover often lie side by side.
-  strands_.push_back({area, static_cast<std::uint32_t>(cover), step});
-  std::size_t k = strands_.size() - 1;
-  for (; k > 0 && strands_[k - 1].area > area; --k) strands_[k] = strands_[k - 1];
-  strands_[k] = {area, static_cast<std::uint32_t>(cover), step};
+// All boundaries that may be in a slab, in any order, and what is counted left of all of them.
+void Slabs::find_strands(std::size_t first, std::size_t end) {
+  strands_.clear();
+  start_.assign(end - first, 0);
+  for (std::size_t c = first; c < end; ++c) {
+    const Cover& cover = covers_[c];
+    const auto place = static_cast<std::uint32_t>(c - first);
+    for (std::size_t k = cover.lines; k < cover.lines_end; ++k) {
+      if (lines_[k].is_level()) continue;
+      const bool begins = lines_[k].side.a > 0;
+      strands_.push_back({0, k, place, begins ? 1 : -1, Edge::line});
+      if (!begins) ++start_[place];
+    }
+    for (std::size_t k = cover.arcs; k < cover.arcs_end; ++k) {
+      strands_.push_back({0, k, place, arcs_[k].sign, Edge::left_arc});
+      strands_.push_back({0, k, place, -arcs_[k].sign, Edge::right_arc});
+    }
+  }
+}
+
+// The area to the left of a boundary; nothing where it is not in the slab.
+std::optional<double> Slabs::left_of(const Strand& strand, double top, double bottom) const {
+  const double height = bottom - top;
+  if (strand.edge == Edge::line) {
+    const Line& line = lines_[strand.piece];
+    return height * covered(line.x0 + line.slope * top, line.x0 + line.slope * bottom);
+  }
+  const LocalDisk& disk = arcs_[strand.piece].disk;
+  const double middle = top + height / 2;
+  if (!(disk.x * disk.x + disk.excess + middle * (2 * disk.y - middle) > 0)) return {};
+  const Chord above(disk, top), below(disk, bottom);
+  const bool is_left = strand.edge == Edge::left_arc;
+  const double x_above = is_left ? above.left(disk) : above.right(disk);
+  const double x_below = is_left ? below.left(disk) : below.right(disk);
+  // A slab sees less than a quarter of a circle, which is never beyond its ends.
+  if (x_above <= 0 && x_below <= 0) return 0.0;
+  if (x_above >= 1 && x_below >= 1) return height;
+  const double run = x_below - x_above, chord = height * (x_above + x_below) / 2;
+  const double bulge = segment_area(run * run + height * height, 1 / disk.radius);
+  return std::min(height, std::max(0.0, is_left ? chord - bulge : chord + bulge));
 }
 
 void Slabs::slab(std::size_t first, std::size_t end, double top, double bottom, double area) {
   const double height = bottom - top, middle = top + height / 2;
-  strands_.clear();
-  counts_.assign(end - first, 0);
+  counts_ = start_;
   for (std::size_t c = first; c < end; ++c) {
-    const Cover& cover = covers_[c];
-    int& count = counts_[c - first];
-    for (std::size_t k = cover.lines; k < cover.lines_end; ++k) {
+    for (std::size_t k = covers_[c].lines; k < covers_[c].lines_end; ++k) {
       const Line& line = lines_[k];
-      if (line.is_level()) {
-        count += line.side.b * middle + line.side.c >= 0 ? 1 : 0;
-        continue;
-      }
-      const double left = height * covered(line.x0 + line.slope * top, line.x0 + line.slope * bottom);
-      if (line.side.a > 0) {
-        insert(left, c - first, 1);
-      } else {
-        ++count;
-        insert(left, c - first, -1);
-      }
+      if (line.is_level() && line.side.b * middle + line.side.c >= 0) ++counts_[c - first];
     }
-    for (std::size_t k = cover.arcs; k < cover.arcs_end; ++k) {
-      const LocalDisk& disk = arcs_[k].disk;
-      if (!(disk.x * disk.x + disk.excess + middle * (2 * disk.y - middle) > 0)) continue;
-      const Chord above(disk, top), below(disk, bottom);
-      const auto quarter = [&](double x_above, double x_below, double side) {
-        const double run = x_below - x_above;
-        const double chord = height * (x_above + x_below) / 2;
-        const double bulge = segment_area(run * run + height * height, 1 / disk.radius);
-        return std::clamp(chord + side * bulge, 0.0, height);
-      };
-      insert(quarter(above.left(disk), below.left(disk), -1), c - first, arcs_[k].sign);
-      insert(quarter(above.right(disk), below.right(disk), 1), c - first, -arcs_[k].sign);
-    }
+  }
+  for (Strand& strand : strands_) {
+    const std::optional<double> left = left_of(strand, top, bottom);
+    strand.is_there = left.has_value();
+    strand.area = left.value_or(0);
+  }
+  // From slab to slab few change places.
+  for (std::size_t k = 1; k < strands_.size(); ++k) {
+    if (!(strands_[k].area < strands_[k - 1].area)) continue;
+    const Strand moved = strands_[k];
+    std::size_t n = k;
+    for (; n > 0 && moved.area < strands_[n - 1].area; --n) strands_[n] = strands_[n - 1];
+    strands_[n] = moved;
   }
   double before = 0;
   const auto give = [&](double until) {
@@ -271,6 +293,7 @@ void Slabs::slab(std::size_t first, std::size_t end, double top, double bottom, 
     before = until;
   };
   for (const Strand& strand : strands_) {
+    if (!strand.is_there) continue;
     give(strand.area);
     counts_[strand.cover] += strand.step;
   }

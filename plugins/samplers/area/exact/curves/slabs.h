@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "exact/curves/local_shapes.h"
@@ -52,11 +53,15 @@ class Slabs {
   struct Box {
     double x, y, side;
   };
+  enum class Edge { line, left_arc, right_arc };
   // A boundary in a slab: the area to its left, and what is counted on crossing it to the right.
   struct Strand {
     double area;
+    std::size_t piece;
     std::uint32_t cover;
     int step;
+    Edge edge;
+    bool is_there = true;
   };
 
   void integrate(std::size_t first, std::size_t end, double area, int depth);
@@ -71,14 +76,15 @@ class Slabs {
     if (y > 0 && y < 1) events_.push_back(y);
   }
   void slab(std::size_t first, std::size_t end, double top, double bottom, double area);
-  void insert(double area, std::size_t cover, int step);
+  void find_strands(std::size_t first, std::size_t end);
+  std::optional<double> left_of(const Strand& strand, double top, double bottom) const;
 
   std::vector<Line> lines_;
   std::vector<Arc> arcs_;
   std::vector<Cover> covers_;
   std::vector<double> events_, areas_;
   std::vector<Strand> strands_;
-  std::vector<int> counts_;
+  std::vector<int> start_, counts_;  // of each cover, how many of its conditions hold left of all strands, and now
 };
 
 }  // namespace area

@@ -31,7 +31,7 @@ Stroke::Stroke(const moire::LineCurve& line) {
   if (!(line.width > 0) || (!has_length && line.cap != moire::Cap::square)) return;
   is_empty_ = false;
 
-  long double length = std::hypot(du, dv);
+  long double length = std::sqrt(du * du + dv * dv);
   if (!has_length) du = length = 1;
   const long double half = line.width / 2.0L;
   if (line.cap == moire::Cap::square) {
@@ -43,8 +43,7 @@ Stroke::Stroke(const moire::LineCurve& line) {
   coarse_slope_ = static_cast<double>(coarse);
   fine_slope_ = static_cast<double>(slope - coarse);
   slope_ = static_cast<double>(slope), rise_ = std::abs(slope_);
-  // Below that the line is level: its square would be 0.
-  half_inverse_rise_ = rise_ < 0x1p-500 ? 0 : 0.5 / rise_;
+  level_rise_ = std::max(rise_, 0x1p-500), half_inverse_rise_ = 0.5 / level_rise_;
   half_height_ = static_cast<double>(half * length / du);
 
   // The middle line where it enters the picture, or about there.

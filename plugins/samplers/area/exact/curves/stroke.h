@@ -18,6 +18,7 @@
 #include <moire/tally.h>
 
 #include "exact/curves/local_shapes.h"
+#include "exact/curves/pair.h"
 #include "exact/curves/ramp.h"
 #include "exact/curves/whole.h"
 
@@ -32,12 +33,15 @@ class Stroke {
   // True: no length or no width.
   bool is_empty() const { return is_empty_; }
 
-  // Calls put(x, y, area) for the pixels of `clip` that the rectangle touches, the same to the bit whatever `clip` is.
+  // Calls put(x, y, area) for the pixels of `clip` that the rectangle touches and some beside it, whose area is 0; the
+  // same to the bit whatever `clip` is.
   template <class Put>
   void areas(const moire::PixelArea& clip, Put put) const {
     if (is_empty_) return;
     if (is_steep_) {
-      along({clip.y0, clip.x0, clip.height, clip.width}, [&](int u, int v, double area) { put(v, u, area); });
+      along(
+          {clip.y0, clip.x0, clip.height, clip.width}, [&](int u, int v, double area)
+                                                           __attribute__((always_inline)) { put(v, u, area); });
     } else {
       along(clip, put);
     }
@@ -90,6 +94,8 @@ class Stroke {
   template <class Put>
   void inner_columns(int first, int end, const moire::PixelArea& clip, Put put) const;
   template <class Put>
+  void wide_columns(int first, int end, const moire::PixelArea& clip, Put put) const;
+  template <class Put>
   void end_columns(int first, int end, const Place& origin, std::span<const Edge> edges, const moire::PixelArea& clip,
                    Put put) const;
   template <class Put>
@@ -99,7 +105,8 @@ class Stroke {
   Place anchor_;                              // of the middle line; its u is 0
   double coarse_slope_ = 0, fine_slope_ = 0;  // of v over u
   double slope_ = 0, rise_ = 0;               // their sum, and its absolute value
-  double half_inverse_rise_ = 0;              // 0 where the line is level
+  double level_rise_ = 0;                     // of a level line, one so small that it is lost in any height
+  double half_inverse_rise_ = 0;              // of that
   double half_height_ = 0;                    // of the strip, along v
   Place ends_[2];
   double left_ = 0, right_ = 0;                     // of the whole rectangle along u
@@ -131,44 +138,48 @@ void Stroke::along(const moire::PixelArea& clip, Put put) const {
 
 template <class Put>
 void Stroke::inner_columns(int first, int end, const moire::PixelArea& clip, Put put) const {
-  const auto in_rows = [&](int row) {
-    return static_cast<unsigned>(row - clip.y0) < static_cast<unsigned>(clip.height);
+  const double lower_end = std::min(slope_, 0.0), height = 2 * half_height_;
+  if (height > 2) return wide_columns(first, end, clip, put);
+  const auto put_in = [&](int column, int row, double area) __attribute__((always_inline)) {
+    if (static_cast<unsigned>(row - clip.y0) < static_cast<unsigned>(clip.height)) put(column, row, clamped(area));
   };
-  // The mean over the column of what an edge rises above a border, from its lower end's height.
-  const auto above = [&](double low) {
-    const double part = std::max(low + rise_, 0.0);
-    return low >= 0 ? low + rise_ / 2 : part * part * half_inverse_rise_;
+  // The mean over the column of what an edge rises above a border, from its lower end's height: the mean of its heights
+  // at the ends of the part above, times that part. A choice between cases would cost more than all the arithmetic.
+  const auto above = [rise = Pair(level_rise_), half_inverse = Pair(half_inverse_rise_)](Pair low) {
+    const Pair high = max(low + rise, Pair());
+    return (high + max(low, Pair())) * (min(high, rise) * half_inverse);
   };
-  const double lower_end = std::min(slope_, 0.0);
-  // A little upwards, so that rounding leaves out no row.
+  // At the most so many rows; a little upwards, so that rounding leaves out none.
+  const int rows = static_cast<int>(std::ceil(height + rise_)) + 1;
   const double up = lower_end - half_height_ - 0x1p-30;
-  const bool is_thin = half_height_ <= 1;
   for (int column = first; column < end; ++column) {
-    const double top = std::floor(middle(column, 0) + up);
-    int row = whole(top);
-    const double low = middle(column, top) + lower_end;
-    if (is_thin) {
-      if (row != top) continue;  // out of bounds
-      double upper = low + half_height_, lower = low - half_height_;
-      double before = 2 * half_height_;
-      do {
-        upper -= 1, lower -= 1;
-        const double after = above(upper) - above(lower);
-        const double area = before - after;
-        if (area > 0 && in_rows(row)) put(column, row, std::min(area, 1.0));
-        before = after;
-        ++row;
-      } while (upper + rise_ > 0);
-      continue;
+    const double n = column - anchor_.column, coarse = coarse_slope_ * n, fine = fine_slope_ * n + anchor_.v;
+    const double top = std::floor(coarse + fine + up);
+    if (!(std::abs(top + anchor_.row) < far_off)) continue;
+    const int row = static_cast<int>(top + anchor_.row);
+    const double low = (coarse - top) + fine + lower_end;
+    Pair edges(low + half_height_, low - half_height_);
+    double before = height;
+    for (int k = 0; k < rows; ++k) {
+      edges = edges - Pair(1);
+      const double after = above(edges).difference();
+      put_in(column, row + k, before - after);
+      before = after;
     }
-    // The two edges are more than a row apart: a pixel has one of them, or both with a full middle between.
-    const int stop = std::min(clip.y0 + clip.height,
-                              whole(std::ceil(middle(column, 0) + lower_end + rise_ + half_height_ + 0x1p-30)));
-    for (row = std::max(row, clip.y0); row < stop; ++row) {
-      const double low_here = middle(column, row) + lower_end;
+  }
+}
+
+// Both edges are more than a row apart: sums of what they leave above each border would be large.
+template <class Put>
+void Stroke::wide_columns(int first, int end, const moire::PixelArea& clip, Put put) const {
+  for (int column = first; column < end; ++column) {
+    const double low = middle(column, 0) + std::min(slope_, 0.0);
+    const int row_first = std::max(clip.y0, whole(std::floor(low - half_height_ - 0x1p-30)));
+    const int row_end = std::min(clip.y0 + clip.height, whole(std::ceil(low + rise_ + half_height_ + 0x1p-30)));
+    for (int row = row_first; row < row_end; ++row) {
+      const double low_here = middle(column, row) + std::min(slope_, 0.0);
       const double upper = low_here + half_height_, lower = low_here - half_height_;
-      const double area = covered(upper, upper + rise_) - covered(lower, lower + rise_);
-      if (area > 0) put(column, row, area);
+      put(column, row, covered(upper, upper + rise_) - covered(lower, lower + rise_));
     }
   }
 }
@@ -197,7 +208,7 @@ void Stroke::end_columns(int first, int end, const Place& origin, std::span<cons
       for (int k = 0; k < count; ++k) {
         area += stretches[k].weight * covered(stretches[k].a - top, stretches[k].b - top);
       }
-      if (area > 0) put(column, row, std::min(area, 1.0));
+      put(column, row, clamped(area));
     }
   }
 }
