@@ -21,6 +21,8 @@ constexpr moire::Parameter parameters[] = {
            "a furnished room, or a floor and above it: a tilted quadrilateral; one parallel to the light; three apart; "
            "a wall that stands on it, and two that overlap; eight slats"),
     file("file", "faces and a light in JSON, as plugins/scenes/shadow_planes/world/source_file.h says; none: `kind`"),
+    choice("show", "all", "all first",
+           "the first face alone: the others cast their shadows on it, but do not stand before it"),
     choice("shading", "diffuse", "diffuse flat",
            "by distance and by how a surface is turned to the light, or one colour wherever light falls"),
     choice("clip", "both", "both none",
@@ -59,6 +61,9 @@ class ShadowPlanes final : public moire::Scene {
  public:
   explicit ShadowPlanes(const Settings& settings) : source_(source_of(settings)) {
     share_planes(source_.faces);
+    if (settings.text("show") == "first") {
+      for (std::size_t k = 1; k < source_.faces.size(); ++k) source_.faces[k].shown = false;
+    }
     World world;
     world.faces = source_.faces;
     bsp_ = std::make_shared<const Bsp>(world);

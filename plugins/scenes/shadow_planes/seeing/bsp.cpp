@@ -56,6 +56,7 @@ Bsp::Bsp(const World& world) {
   std::vector<Fragment> all;
   double scale = 0;
   for (std::uint32_t k = 0; k < world.faces.size(); ++k) {
+    if (!world.faces[k].shown) continue;
     for (const Convex& part : world.faces[k].parts) {
       all.push_back({k, part});
       for (const Vector& p : part) scale = std::max({scale, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

@@ -38,6 +38,7 @@ moire::Rectangle box_around(const Convex& part, const Camera& camera) {
 FirstFaces::FirstFaces(const World& world, const Camera& camera) : camera_(camera) {
   for (std::uint32_t k = 0; k < world.faces.size(); ++k) {
     const Face& face = world.faces[k];
+    if (!face.shown) continue;
     const double height = face.plane.distance(camera.eye);
     if (height == 0) continue;  // edge-on
     for (const Convex& part : face.parts) {

@@ -25,11 +25,12 @@ std::vector<Vector> corners_of(const moire::DocumentValue& value) {
 }
 
 Face face_at(const moire::DocumentValue& value) {
-  value.allow_only({"points", "reflectance", "casts", "receives"});
+  value.allow_only({"points", "reflectance", "casts", "receives", "shown"});
   Face face = face_of(corners_of(value["points"]));
   if (value.has("reflectance")) face.reflectance = value["reflectance"].color();
   if (value.has("casts")) face.casts = value["casts"].flag();
   if (value.has("receives")) face.receives = value["receives"].flag();
+  if (value.has("shown")) face.shown = value["shown"].flag();
   return face;
 }
 

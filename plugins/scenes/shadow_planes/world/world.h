@@ -21,6 +21,7 @@ struct Face {
   moire::Color reflectance{0.5F, 0.5F, 0.5F};
   bool casts = true;     // shadows, onto others
   bool receives = true;  // shadows; others are lit wherever they face the light
+  bool shown = true;     // to the camera; others only cast shadows
 };
 
 enum class LightKind { point, directional, area };
