@@ -17,8 +17,8 @@ constexpr moire::Parameter parameters[] = {
            "of lines: Wu's integer that overflows; (rise i) / columns by a division of doubles in every column; each "
            "pixel from its own distance, as Fujimoto and Iwata. Between rounded end points the pixels are the same"),
     integer("bits", 32, 8, 64, "bits",
-            "of the accumulator, n: exact for lines of up to sqrt(2^(n - m + 1)) columns, m the grey_bits; lines too "
-            "long for 32 get 64 if the step is the ceiling"),
+            "of the accumulator, n: lines drawn from both ends are exact to sqrt(2^(n - m + 1)) columns, m the "
+            "grey_bits, from one end to sqrt(2^(n - m)); lines too long for 32 get 64 if the step is the ceiling"),
     integer("grey_bits", 8, 1, 16, "bits", "intensities are of 2^m - 1: m bits of the fraction, and their inverse"),
     choice("step", "ceiling", "ceiling rounded",
            "the accumulator's increment of slope k: ceil(k 2^n), or as published floor(k 2^n + 1/2), with which some "
@@ -30,8 +30,8 @@ constexpr moire::Parameter parameters[] = {
            "of lines with rounded ends: halves towards the middle, as published, so that the second one is that of the "
            "reversed line, which may differ by a level; or all columns seen from the first end"),
     choice("circles", "direct", "direct table wide_table",
-           "with rounded ends: by a root in each row; or the published table of D, with m bits and a rule for equal "
-           "values, or with m + 8 bits and none"),
+           "with rounded ends: by a root in each row; or the published table of D, with m bits, at least 8, and a rule "
+           "for equal values, or with 16 bits and none; tables to a radius of 65,535"),
 };
 
 // Radii with a table of their own; larger ones get roots.
@@ -61,7 +61,7 @@ class TwoPoints {
 
   TwoPoints(const Choices& choices, const Drawing& drawing) : choices_(choices) {
     if (choices_.real_ends || choices_.circles == "direct") return;
-    const int bits = choices_.lines.grey_bits + (choices_.circles == "wide_table" ? 8 : 0);
+    const int bits = choices_.circles == "wide_table" ? 16 : std::max(choices_.lines.grey_bits, 8);
     for (const Stroke& stroke : drawing.strokes()) {
       if (!stroke.is_circle) continue;
       const std::int64_t radius = rounded_circle(stroke).radius;

@@ -58,10 +58,10 @@ class RootTable {
 // The band moves left where D falls from row to row. Where D stays equal it has moved one pixel or none: told by the
 // slope, 2 j > i; without this rule by none, which fails from r = 505 on if D has 8 bits, and from none to 65,535 if it
 // has 16.
-template <bool tie_rule>
+template <bool tie_rule, class Table = RootTable>
 class TableBand {
  public:
-  TableBand(const RootTable& table, int grey_bits) : table_(table), shift_(table.bits() - grey_bits) {}
+  TableBand(const Table& table, int grey_bits) : table_(table), shift_(table.bits() - grey_bits) {}
 
   void go_to(std::int64_t j) {
     RootBand root(table_.radius(), 1);
@@ -79,7 +79,7 @@ class TableBand {
   std::uint32_t inner() const { return d_ >> shift_; }
 
  private:
-  const RootTable& table_;
+  const Table& table_;
   int shift_;
   std::int64_t i_ = 0, j_ = 0;
   std::uint32_t d_ = 0;

@@ -74,7 +74,7 @@ void two_point_line(const TwoPointLines& how, moire::Point from, moire::Point to
   };
   if (how.method == LineMethod::direct) return draw(Direct<true>(line.slope, how.grey_bits));
   if (how.method == LineMethod::fujimoto_iwata) return draw(PerPixel<true>(line.slope, how.grey_bits));
-  const bool wide = how.is_wide(line.slope.columns);
+  const bool wide = how.is_wide(line.slope.columns, line.slope.columns);
   const int n = how.word_bits(wide);
   const Wide d = how.increment(line.slope.rise / line.slope.columns, n);
   // Rounding may have led out of the first row.

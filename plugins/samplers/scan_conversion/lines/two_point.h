@@ -19,9 +19,11 @@ struct TwoPointLines {
   bool both_ends = true;
 
   std::uint32_t full() const { return (std::uint32_t{1} << grey_bits) - 1; }
-  // Lines of more columns than d = ceil(k 2^n) is exact for, if that may be mended by a word of 64 bits.
-  bool is_wide(double columns) const {
-    return bits > 32 || (bits == 32 && ceiling && columns * columns > std::ldexp(1.0, bits - grey_bits + 1));
+  // Whether a line of so many columns, that many of them counted from one end, is too long for d = ceil(k 2^n) to be
+  // exact, and a word of 64 bits may mend it. The error grows by less than 2^-n a column counted and the fraction is
+  // 1 / columns of a level short of the next one, or more: exact while counted * columns <= 2^(n - m).
+  bool is_wide(double columns, double counted) const {
+    return bits > 32 || (bits == 32 && ceiling && counted * columns > std::ldexp(1.0, bits - grey_bits));
   }
   int word_bits(bool wide) const { return wide && bits <= 32 ? 64 : bits; }
   // d of n bits, 2^n where it does not fit. Requires: 0 <= rise <= columns, 0 < columns.
@@ -121,6 +123,20 @@ void draw_single(PixelIndex from, PixelIndex to, std::uint32_t full, const moire
 
 }  // namespace two_point
 
+// Calls use(walk) with the line's columns by the method asked for. Requires: 0 < rise < columns.
+template <class Use>
+void with_columns(const TwoPointLines& how, const Octant& octant, Use use) {
+  const Slope slope{static_cast<double>(octant.columns), static_cast<double>(octant.rise)};
+  if (how.method == LineMethod::direct) return use(Direct<false>(slope, how.grey_bits));
+  if (how.method == LineMethod::fujimoto_iwata) return use(PerPixel<false>(slope, how.grey_bits));
+  const bool wide = how.is_wide(slope.columns, how.both_ends ? slope.columns / 2 : slope.columns);
+  const int n = how.word_bits(wide);
+  const Wide d = how.increment(octant.rise, octant.columns, n);
+  if (d >> n != 0) return use(Straight(1, 0, how.grey_bits));
+  if (wide) return use(Accumulator<std::uint64_t>(static_cast<std::uint64_t>(d << (64 - n)), 0, how.grey_bits));
+  use(Accumulator<std::uint32_t>(static_cast<std::uint32_t>(d << (32 - n)), 0, how.grey_bits));
+}
+
 // From the middle of one pixel to that of another.
 template <class Put>
 void two_point_line(const TwoPointLines& how, PixelIndex from, PixelIndex to, const moire::PixelArea& area, Put&& put) {
@@ -129,16 +145,8 @@ void two_point_line(const TwoPointLines& how, PixelIndex from, PixelIndex to, co
     return two_point::draw_single(from, to, how.full(), area, put);
   }
   const bool inside = is_inside(from, to, area);
-  const auto draw = [&](const auto& walk) { two_point::draw_line(how.both_ends, octant, inside, walk, area, put); };
-  const Slope slope{static_cast<double>(octant.columns), static_cast<double>(octant.rise)};
-  if (how.method == LineMethod::direct) return draw(Direct<false>(slope, how.grey_bits));
-  if (how.method == LineMethod::fujimoto_iwata) return draw(PerPixel<false>(slope, how.grey_bits));
-  const bool wide = how.is_wide(slope.columns);
-  const int n = how.word_bits(wide);
-  const Wide d = how.increment(octant.rise, octant.columns, n);
-  if (d >> n != 0) return draw(Straight(1, 0, how.grey_bits));
-  if (wide) return draw(Accumulator<std::uint64_t>(static_cast<std::uint64_t>(d << (64 - n)), 0, how.grey_bits));
-  draw(Accumulator<std::uint32_t>(static_cast<std::uint32_t>(d << (32 - n)), 0, how.grey_bits));
+  with_columns(how, octant,
+               [&](const auto& walk) { two_point::draw_line(how.both_ends, octant, inside, walk, area, put); });
 }
 
 }  // namespace scan_conversion
