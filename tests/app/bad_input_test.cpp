@@ -177,7 +177,7 @@ TEST_CASE("a sampler that a scene cannot serve is refused with the scenes that w
   CHECK(refused(desk, tiny_experiment(R"(["point", "area"])", R"(["error"])", R"(["good"])"), {"--plugins", "plugins"})
             .err ==
         "tiny/experiment.json:5: samplers[1]: \"area\" asks for lines, which scene \"good\" (good) does not have; "
-        "scenes that do: cartoon, heightfield\n");
+        "scenes that do: cartoon, heightfield, primitives\n");
 }
 
 TEST_CASE("results that are there stay as they are when a later request is wrong") {
