@@ -11,7 +11,8 @@ class ConePixels {
  public:
   struct Choices {};
 
-  ConePixels(const Choices&, const scan_conversion::Drawing&) {}
+  // Tables are made with the first frame, not with its first pixels.
+  ConePixels(const Choices&, const scan_conversion::Drawing&) { scan_conversion::Cone::tables(); }
 
   std::uint32_t full() const { return scan_conversion::Cone::full; }
   template <class Put>

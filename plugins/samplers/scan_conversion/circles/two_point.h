@@ -15,15 +15,16 @@ void two_point_circle(const PixelCircle& circle, Band band, std::uint32_t full, 
   for_visible_rows(circle, last + 1, 0, area, put, [&](Rows rows, auto x, auto y, auto& put_pixel) {
     using Number = decltype(x);
     band.go_to(rows.first);
-    for (std::int64_t j = rows.first; j < rows.end; ++j, band.next()) {
+    for (std::int64_t j = rows.first; j < rows.end; ++j) {
       // The tail row has its pixels on the diagonal alone, if it comes near enough; there h may fall by more than 1,
       // which no comparison with the row before could tell.
       if (j > last) band.go_to(j);
       const std::int64_t i = band.i();
       const std::uint32_t inner = band.inner();
+      // The next row's root takes as long as this row's pixels.
+      if (j < last) band.next();
       if (i >= j) put_images(x, y, static_cast<Number>(i), static_cast<Number>(j), inner ^ full, put_pixel);
       if (i > j) put_images(x, y, static_cast<Number>(i - 1), static_cast<Number>(j), inner, put_pixel);
-      if (j > last) break;
     }
   });
 }

@@ -21,7 +21,7 @@ double cone_share(double along, double across) {
   if (low >= high || along <= -1) return 0;
   // Simpson's rule over the angle whose sine is y, in which the slices are smooth but at the circle's cut by x =
   // -along.
-  constexpr int pieces = 256;
+  constexpr int pieces = 32;
   const double first = std::asin(low), step = (std::asin(high) - first) / pieces;
   double sum = 0;
   for (int k = 0; k <= pieces; ++k) {

@@ -55,9 +55,11 @@ void draw(const Octant& octant, Walk walk, Range columns, Put&& put) {
   walk.go_to(columns.first);
   Pen pen(put, octant, columns.first, walk.row_at(columns.first));
   for (std::int64_t i = columns.first; i < columns.end; ++i) {
-    pen.put(walk.lower());
-    pen.put_above(walk.upper());
-    pen.move(walk.next());
+    const std::uint32_t lower = walk.lower(), upper = walk.upper();
+    const int rows = walk.next();
+    pen.put(lower);
+    pen.put_above(upper);
+    pen.move(rows);
   }
 }
 
@@ -70,11 +72,11 @@ void draw(const Octant& a, const Octant& b, Walk walk, Range columns, Put&& put)
   Pen near(put, a, columns.first, row), far(put, b, columns.first, row);
   for (std::int64_t i = columns.first; i < columns.end; ++i) {
     const std::uint32_t lower = walk.lower(), upper = walk.upper();
+    const int rows = walk.next();
     near.put(lower);
     near.put_above(upper);
     far.put(lower);
     far.put_above(upper);
-    const int rows = walk.next();
     near.move(rows);
     far.move(rows);
   }

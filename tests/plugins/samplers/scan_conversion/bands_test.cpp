@@ -68,9 +68,9 @@ class Diagonal {
     const Table table{*this, bits, published};
     TableBand<tie_rule, Table> band(table, std::min(bits, 8));
     band.go_to(first_);
-    for (const std::int64_t ceiling : ceilings_) {
-      if (band.i() != ceiling) return false;
-      if (&ceiling != &ceilings_.back()) band.next();
+    for (std::size_t row = 0; row < ceilings_.size(); ++row) {
+      if (row > 0) band.next();
+      if (band.i() != ceilings_[row]) return false;
     }
     return true;
   }
