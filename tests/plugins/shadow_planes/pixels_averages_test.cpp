@@ -26,6 +26,9 @@ class Adaptive {
   }
 
  private:
+  // A cut corner that no point of a coarse grid sees must not look smooth.
+  static constexpr int smallest = 4, largest = 11;
+
   Result refined(double x, double y, double side, double tolerance, int depth, double whole) {
     const double half = side / 2;
     double parts[4], sum = 0;
@@ -34,7 +37,7 @@ class Adaptive {
       sum += parts[k];
     }
     const double difference = std::abs(sum - whole);
-    if (difference <= tolerance || depth == 11) return {sum, difference * difference};
+    if ((difference <= tolerance && depth >= smallest) || depth == largest) return {sum, difference * difference};
     Result result{0, 0};
     for (int k = 0; k < 4; ++k) {
       const Result part = refined(x + (k % 2) * half, y + (k / 2) * half, half, tolerance / 3, depth + 1, parts[k]);

@@ -84,3 +84,25 @@ TEST_CASE("a standing caster is critical along its foot, a slanting one where it
   CHECK(found);
   REQUIRE(contacts(*illumination).size() == 2);
 }
+
+TEST_CASE("a corner of one caster is critical where it is seen on an edge of another before the light",
+          "[shadow_planes]") {
+  for (const bool corner_is_higher : {true, false}) {
+    World world = lit_receiver();
+    world.light.parts = {rectangle({-0.5, -0.5, 4}, {0, 1, 0}, {1, 0, 0})};
+    // The corner over x = 0, the edge over x = 1/10, one of them 2 up and the other 1.
+    const double corner_at = corner_is_higher ? 2 : 1, edge_at = 3 - corner_at;
+    world.faces.push_back(face_of({{0, 0, corner_at}, {-1, -1, corner_at}, {-1, 1, corner_at}}));
+    world.faces.push_back(face_of(rectangle({0.1, -1, edge_at}, {1, 0, 0}, {0, 2, 0})));
+    const auto illumination = illumination_of(world, 0, world.faces[0].plane);
+    const auto lines = critical_lines(world, *illumination);
+    // Rays through both meet the receiver at x = 1/5 or -1/10. They leave the light at (-1/5, y) or (3/10, y) with y
+    // from -1/2 to 1/2, and run through the corner, so that they arrive at -y or -y / 3.
+    const double x = corner_is_higher ? 0.2 : -0.1, y = corner_is_higher ? 0.5 : 0.5 / 3;
+    CHECK(std::any_of(lines.begin(), lines.end(), [&](const CriticalLine& line) {
+      const moire::Point a = end_of(line.from, line.to), b = end_of(line.to, line.from);
+      return std::abs(a.x - x) < 1e-12 && std::abs(b.x - x) < 1e-12 && std::abs(std::max(a.y, b.y) - y) < 1e-12 &&
+             std::abs(std::min(a.y, b.y) + y) < 1e-12;
+    }));
+  }
+}

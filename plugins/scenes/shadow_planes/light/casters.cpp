@@ -1,6 +1,7 @@
 #include "light/casters.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "world/cut.h"
 
@@ -40,6 +41,29 @@ bool has_area(const Convex& polygon) {
   return length(sum) > 1e-15 * longest;
 }
 
+// Upright to the axes; empty at first.
+class Box {
+ public:
+  void add(Vector p) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+  }
+  void add(const std::vector<Convex>& parts) {
+    for (const Convex& part : parts) add(part);
+  }
+  void add(const Convex& part) {
+    for (const Vector& p : part) add(p);
+  }
+  bool touches(const Box& other) const {
+    return low_.x <= other.high_.x && other.low_.x <= high_.x && low_.y <= other.high_.y && other.low_.y <= high_.y &&
+           low_.z <= other.high_.z && other.low_.z <= high_.z;
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity};
+};
+
 }  // namespace
 
 Convex clipped(const Convex& polygon, const Plane& plane) {
@@ -55,9 +79,17 @@ std::vector<Caster> casters_on(const World& world, std::uint32_t receiver, const
   std::vector<Caster> casters;
   if (!world.faces[receiver].receives) return casters;
   const Light& light = world.light;
+  // Between the receiver and the light nothing is outside a box around both.
+  Box between;
+  between.add(world.faces[receiver].parts);
+  between.add(light.parts);
+  if (light.kind == LightKind::point) between.add(light.place);
   for (std::uint32_t face = 0; face < world.faces.size(); ++face) {
     if (face == receiver || !world.faces[face].casts) continue;
     for (const Convex& part : world.faces[face].parts) {
+      Box box;
+      box.add(part);
+      if (light.kind != LightKind::directional && !box.touches(between)) continue;
       Convex corners = clipped(part, side);
       if (light.kind == LightKind::area) corners = clipped(corners, light.plane);
       if (light.kind == LightKind::point) {

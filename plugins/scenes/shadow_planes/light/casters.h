@@ -20,7 +20,8 @@ struct Caster {
 };
 
 // All that may hide the light from points of face `receiver`, in the order of the world's faces. `side`: the receiver's
-// plane, its normal to the side that is lit. Parts behind it or beyond the light are cut away, parts in it left out.
+// plane, its normal to the side that is lit. Parts behind it or beyond the light are cut away; parts in it, or
+// beside the box around receiver and light, are left out.
 std::vector<Caster> casters_on(const World& world, std::uint32_t receiver, const Plane& side);
 
 }  // namespace shadow_planes

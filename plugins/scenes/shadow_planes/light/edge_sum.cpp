@@ -27,23 +27,24 @@ struct Term {
 }
 
 // A plain loop that compilers turn into vectors; without contraction of products its bits do not depend on their width.
-// False: some angles are too wide for the polynomial.
-[[gnu::always_inline]] inline bool narrow_angles(const Edges& edges, double* terms) {
-  double widest = 0, nearest = 1;
+// tangents: squared, and 1 over the dot products; they tell where an angle is too wide for the polynomial.
+[[gnu::always_inline]] inline void narrow_angles(const Edges& edges, double* __restrict tangents,
+                                                 double* __restrict inverses, double* __restrict terms) {
   for (std::size_t k = 0; k < edges.count; ++k) {
     const Term term = term_of(edges, k);
     const double inverse = 1 / term.dot, z = inverse * inverse * term.cross_squared;
-    widest = z > widest ? z : widest;
-    nearest = inverse < nearest ? inverse : nearest;
+    tangents[k] = z;
+    inverses[k] = inverse;
     terms[k] = inverse * arctangent_ratio(z) * term.upright;
   }
-  return widest <= steep_squared && nearest > 0;
 }
 
-[[gnu::target("avx2")]] bool narrow_angles_wide(const Edges& edges, double* terms) {
-  return narrow_angles(edges, terms);
+[[gnu::target("avx2")]] void narrow_angles_wide(const Edges& edges, double* tangents, double* inverses, double* terms) {
+  narrow_angles(edges, tangents, inverses, terms);
 }
-bool narrow_angles_narrow(const Edges& edges, double* terms) { return narrow_angles(edges, terms); }
+void narrow_angles_narrow(const Edges& edges, double* tangents, double* inverses, double* terms) {
+  narrow_angles(edges, tangents, inverses, terms);
+}
 
 const bool has_wide_vectors = __builtin_cpu_supports("avx2");
 
@@ -55,14 +56,16 @@ void EdgeSum::flush() {
   std::size_t padded = count_;
   for (; padded % lanes != 0; ++padded) rx_[padded] = ry_[padded] = ex_[padded] = ey_[padded] = 0;
   const Edges edges{rx_.data(), ry_.data(), ex_.data(), ey_.data(), padded, p_, normal_};
-  std::array<double, most> terms;
-  if (!(has_wide_vectors ? narrow_angles_wide : narrow_angles_narrow)(edges, terms.data())) {
-    for (std::size_t k = 0; k < count_; ++k) {
+  std::array<double, most> tangents, inverses, terms;
+  (has_wide_vectors ? narrow_angles_wide : narrow_angles_narrow)(edges, tangents.data(), inverses.data(), terms.data());
+  for (std::size_t k = 0; k < count_; ++k) {
+    if (tangents[k] <= steep_squared && inverses[k] > 0) {
+      sum_ += terms[k];
+    } else {
       const Term term = term_of(edges, k);
-      terms[k] = angle_over_sine(term.cross_squared, term.dot) * term.upright;
+      sum_ += angle_over_sine(term.cross_squared, term.dot) * term.upright;
     }
   }
-  for (std::size_t k = 0; k < count_; ++k) sum_ += terms[k];
   count_ = 0;
 }
 

@@ -101,7 +101,7 @@ double TileRule::error(std::span<const double> values, bool is_smooth) const {
 }
 
 const TileRule& tile_rule(int side) {
-  static const std::array<TileRule, 4> rules{TileRule(3, 2), TileRule(4, 4), TileRule(5, 8), TileRule(6, 16)};
+  static const std::array<TileRule, 4> rules{TileRule(4, 2), TileRule(5, 4), TileRule(6, 8), TileRule(7, 16)};
   return rules[side == 2 ? 0 : side == 4 ? 1 : side == 8 ? 2 : 3];
 }
 
