@@ -92,8 +92,8 @@ TEST_CASE("each cell of a light's grid has its middle or one point of its own") 
 }
 
 TEST_CASE("lattices fill a light more evenly than grids, and those than random points") {
-  // Of 256 points. The box up to a grid's last point holds all of them and leaves (1 - 1 / (2 n))^2 of the light's area:
-  // 1 / n - 1 / (4 n^2) too many. Lattices lie at about log N / N; random points at about the root of N.
+  // Of 256 points. The box up to a grid's last point holds all of them and leaves (1 - 1 / (2 n))^2 of the light's
+  // area: 1 / n - 1 / (4 n^2) too many. Lattices lie at about log N / N; random points at about the root of N.
   const auto at = [](const char* pattern) { return discrepancy(lights_of(pattern, 16, {1, 2, 0, 3})); };
   const double grid = at("grid");
   CHECK(std::abs(grid - (1.0 / 16 - 1.0 / 1024)) < 1e-6);

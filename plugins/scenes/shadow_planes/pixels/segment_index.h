@@ -7,9 +7,9 @@
 
 #include <moire/tally.h>
 
-#include "seeing/outline.h"
 #include "pixels/critical_lines.h"
 #include "seeing/camera.h"
+#include "seeing/outline.h"
 
 namespace shadow_planes {
 

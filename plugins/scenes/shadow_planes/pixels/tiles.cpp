@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/cut.h"
 #include "pixels/tile_rule.h"
+#include "world/cut.h"
 
 namespace shadow_planes {
 
