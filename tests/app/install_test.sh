@@ -66,10 +66,9 @@ expect "files" "$(cd "$prefix" && find . ! -type d ! -name 'moireTargets-*' ! -n
   (cd "$sources/framework" && find ./include/moire -type f)
   for name in moireConfig moireConfigVersion moireTargets MoirePlugin; do echo "./lib/cmake/moire/$name.cmake"; done
   printf '%s\n' ./lib/libmoire.so "./lib/libmoire.so.$version" ./lib/moire/moire_images.so
-  for folder in "$sources"/plugins/*/*/CMakeLists.txt; do
-    name=$(basename "$(dirname "$folder")")
-    [ "$name" = outside ] || echo "./lib/moire/plugins/$name.so"
-  done
+  # As the plugins name themselves.
+  cat "$sources"/plugins/*/*/*.cpp | tr -d ' \n' | grep -oE 'MOIRE_(SAMPLER|SCENE)\([a-z_]+' | sed 's/.*(//' |
+    grep -vxE 'cairo|agg' | sed 's|.*|./lib/moire/plugins/&.so|'
 ) | sort)"
 for file in "$prefix/bin/moire" "$prefix"/lib/moire/*.so "$prefix"/lib/moire/plugins/*.so; do
   found=$(ldd "$file" | sed -n 's/.*libmoire[^ ]* => //; t print; d; :print; s/ (0x.*//; p')

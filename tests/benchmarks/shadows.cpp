@@ -38,9 +38,9 @@ void run_shadows(const Catalog& catalog) {
     Settings settings(plugin.parameters);
     settings.set("kind", std::string(kind));
     // The floor, from above, fills the image.
-    settings.set("view.eye_x", 0.0);
-    settings.set("view.eye_y", 0.0);
-    settings.set("view.eye_z", 100.0);
+    settings.set("view.x", 0.0);
+    settings.set("view.y", 0.0);
+    settings.set("view.z", 100.0);
     settings.set("view.target_z", 0.0);
     settings.set("view.fov_deg", 3.43);
     const auto scene = plugin.make(settings);

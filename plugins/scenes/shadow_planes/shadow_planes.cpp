@@ -42,9 +42,9 @@ constexpr moire::Parameter parameters[] = {
     real("light.distance", 4, 1e-3, 1e6, "units", "of area and point").per_frame(),
     real("ambient", 0.12, 0, 1e6, "", "what a white surface shows without the light").per_frame(),
     color("sky", "#b8d4f0", "colour where there is no face").per_frame(),
-    real("view.eye_x", 1.5, -1e6, 1e6, "units", "camera, along x").per_frame(),
-    real("view.eye_y", -7.5, -1e6, 1e6, "units", "camera, along y").per_frame(),
-    real("view.eye_z", 4.5, -1e6, 1e6, "units", "camera, upward").per_frame(),
+    real("view.x", 1.5, -1e6, 1e6, "units", "camera, along x").per_frame(),
+    real("view.y", -7.5, -1e6, 1e6, "units", "camera, along y").per_frame(),
+    real("view.z", 4.5, -1e6, 1e6, "units", "camera, upward").per_frame(),
     choice("view.aim", "target", "target angles", "what says where the camera looks"),
     real("view.target_x", 0, -1e6, 1e6, "units", "of aim target: what is seen in the middle of the image, along x")
         .per_frame(),

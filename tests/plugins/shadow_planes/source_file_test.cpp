@@ -67,7 +67,7 @@ TEST_CASE("wrong worlds are refused with the place, what was found and what woul
         "world.json:1: faces[0].points: crosses itself (sides from corners 1 and 3); a simple polygon does not");
   CHECK(message_of_face(R"({"points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "cast": true})") ==
         "world.json:1: faces[0].cast: unknown key; did you mean \"casts\"? known are points, reflectance, casts, "
-        "receives and shown");
+        "receives, shown");
   CHECK(message_of_face(R"({"points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "reflectance": 0.5})") ==
         "world.json:1: faces[0].reflectance: is 0.5; a colour such as \"#3fa0ff\" is expected");
   CHECK(message_of_light(R"({"towards": [0, 0, 0]})") ==

@@ -16,9 +16,9 @@ bool are_near(const Vector& p, const Vector& q) { return length(p - q) <= 1e-14;
 }  // namespace
 
 TEST_CASE("the target is seen in the middle, upright") {
-  const Camera camera = camera_of(shadow_settings({{"view.eye_x", 1.0},
-                                                   {"view.eye_y", -4.0},
-                                                   {"view.eye_z", 3.0},
+  const Camera camera = camera_of(shadow_settings({{"view.x", 1.0},
+                                                   {"view.y", -4.0},
+                                                   {"view.z", 3.0},
                                                    {"view.target_x", 1.0},
                                                    {"view.target_y", 0.0},
                                                    {"view.target_z", 0.0}}),
@@ -34,7 +34,7 @@ TEST_CASE("the target is seen in the middle, upright") {
 
 TEST_CASE("who looks straight down has x to the right") {
   const Camera camera = camera_of(
-      shadow_settings({{"view.eye_x", 0.0}, {"view.eye_y", 0.0}, {"view.eye_z", 5.0}, {"view.target_z", 0.0}}), size);
+      shadow_settings({{"view.x", 0.0}, {"view.y", 0.0}, {"view.z", 5.0}, {"view.target_z", 0.0}}), size);
   CHECK(are_near(camera.right, {1, 0, 0}));
   CHECK(are_near(camera.down, {0, -1, 0}));
 }

@@ -8,8 +8,9 @@ namespace shadow_planes {
 
 namespace {
 
+// Of the parameters that begin so.
 Vector vector_of(const moire::Settings& settings, const std::string& name) {
-  return {settings.real(name + "_x"), settings.real(name + "_y"), settings.real(name + "_z")};
+  return {settings.real(name + "x"), settings.real(name + "y"), settings.real(name + "z")};
 }
 
 // To the right of who looks this way: level; of who looks straight up or down, along x.
@@ -23,10 +24,10 @@ Vector level_right(const Vector& ahead) {
 Camera camera_of(const moire::Settings& settings, moire::ImageSize size) {
   Camera camera;
   camera.size = size;
-  camera.eye = vector_of(settings, "view.eye");
+  camera.eye = vector_of(settings, "view.");
   Vector right;
   if (settings.text("view.aim") == "target") {
-    const Vector way = vector_of(settings, "view.target") - camera.eye;
+    const Vector way = vector_of(settings, "view.target_") - camera.eye;
     const double far = length(way);
     camera.ahead = far > 0 ? (1 / far) * way : Vector{0, 1, 0};
     right = level_right(camera.ahead);
