@@ -45,8 +45,8 @@ TEST_CASE("two-point circles have every pixel of their definition once, and a su
       // floor(256 f), or its inverse, against 255 f.
       const bool is_right = worst <= 1 + 1e-9 && picture.again == 0 && picture.outside == 0;
       if (!is_right) FAIL_CHECK(kernel.name << ", radius " << radius << ": " << worst << ", " << picture.again);
-      // Of small ones the diagonal's pixels, 8 of them by halves, are a larger part.
-      if (radius >= 50 && std::abs(sum - 1) > 0.01) FAIL_CHECK(kernel.name << ", radius " << radius << ": " << sum);
+      // Of r = 5 it is 1.005 % less, of all others nearer.
+      if (std::abs(sum - 1) > 0.0101) FAIL_CHECK(kernel.name << ", radius " << radius << ": " << sum);
     }
   }
 }
