@@ -24,21 +24,18 @@ double difference(const Color& p, const Color& q) {
 // From the outside, from within the room, and straight down.
 std::vector<Camera> cameras() {
   std::vector<Camera> all;
-  for (const Changes& view : {Changes{},
-                              Changes{{"view.aim", std::string("angles")},
-                                      {"view.x", 0.31},
-                                      {"view.y", 0.27},
-                                      {"view.z", 0.7},
-                                      {"view.yaw_deg", -40.0},
-                                      {"view.pitch_deg", -20.0},
-                                      {"view.roll_deg", 13.0},
-                                      {"view.fov_deg", 110.0}},
-                              Changes{{"view.x", 0.1},
-                                      {"view.y", 0.2},
-                                      {"view.z", 6.0},
-                                      {"view.target_x", 0.1},
-                                      {"view.target_y", 0.2}},
-                              Changes{{"view.x", 4.0}, {"view.y", -2.0}, {"view.z", -1.0}}})
+  for (const Changes& view :
+       {Changes{},
+        Changes{{"view.aim", std::string("angles")},
+                {"view.x", 0.31},
+                {"view.y", 0.27},
+                {"view.z", 0.7},
+                {"view.yaw_deg", -40.0},
+                {"view.pitch_deg", -20.0},
+                {"view.roll_deg", 13.0},
+                {"view.fov_deg", 110.0}},
+        Changes{{"view.x", 0.1}, {"view.y", 0.2}, {"view.z", 6.0}, {"view.target_x", 0.1}, {"view.target_y", 0.2}},
+        Changes{{"view.x", 4.0}, {"view.y", -2.0}, {"view.z", -1.0}}})
     all.push_back(camera_of(shadow_settings(view), size));
   return all;
 }
@@ -222,8 +219,7 @@ TEST_CASE("faces that pass through each other, lie in one plane or are seen edge
   for (int view = 0; view < 20; ++view) {
     const Vector eye = view == 0 ? Vector{-3, 0.1, 0} : random.vector(-3, 3);
     const Camera camera = camera_of(
-        shadow_settings({{"view.x", eye.x}, {"view.y", eye.y}, {"view.z", eye.z}, {"view.target_z", 0.0}}),
-        size);
+        shadow_settings({{"view.x", eye.x}, {"view.y", eye.y}, {"view.z", eye.z}, {"view.target_z", 0.0}}), size);
     const auto frame = frame_of(world, camera, {Shade::flat, Clip::both});
     int wrong_points = 0, wrong_polygons = 0;
     for (int k = 0; k < points_each; ++k) {

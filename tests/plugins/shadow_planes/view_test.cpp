@@ -33,8 +33,8 @@ TEST_CASE("the target is seen in the middle, upright") {
 }
 
 TEST_CASE("who looks straight down has x to the right") {
-  const Camera camera = camera_of(
-      shadow_settings({{"view.x", 0.0}, {"view.y", 0.0}, {"view.z", 5.0}, {"view.target_z", 0.0}}), size);
+  const Camera camera =
+      camera_of(shadow_settings({{"view.x", 0.0}, {"view.y", 0.0}, {"view.z", 5.0}, {"view.target_z", 0.0}}), size);
   CHECK(are_near(camera.right, {1, 0, 0}));
   CHECK(are_near(camera.down, {0, -1, 0}));
 }
