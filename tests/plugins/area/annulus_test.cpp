@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "exact/curves/annulus.h"
-#include "support/curve_oracle.h"
 #include "sanitized.h"
+#include "support/curve_oracle.h"
 #include "support/hard_pixels/sketch.h"
 
 namespace moire::test {
