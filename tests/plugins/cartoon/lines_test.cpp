@@ -8,33 +8,18 @@
 
 #include "plugins/cartoon/brute_force.h"
 #include "plugins/cartoon/drawn.h"
+#include "support/lengths.h"
 
 namespace moire::test {
 namespace {
 
 constexpr ImageSize size{40, 30};
 
-using Lengths = std::vector<std::map<Element, double>>;  // of each stretch
-
 std::vector<double> cuts_of(double length) {
   std::vector<double> cuts{0};
   while (cuts.back() + 2.7 < length) cuts.push_back(cuts.back() + 2.7);
   cuts.push_back(length);
   return cuts;
-}
-
-Lengths along(const Frame& frame, const ImageLine& line, Counters* counters = nullptr) {
-  Tally pieces(line.stretches(), true);
-  frame.lines()->along(std::span(&line, 1), nullptr, pieces);
-  Lengths lengths(line.stretches());
-  for (std::size_t i = 0; i < line.stretches(); ++i) {
-    pieces.for_each(i, [&](const Fragment& f) {
-      CHECK(f.weight > 0);
-      lengths[i][f.element] += f.weight;
-    });
-  }
-  if (counters) *counters = pieces.counters;
-  return lengths;
 }
 
 // By points: where the line may change what it sees, in long double and from all pairs of corners in order, and what

@@ -8,31 +8,17 @@
 #include <moire/random.h>
 
 #include "plugins/primitives/brute_force.h"
+#include "support/lengths.h"
 
 namespace moire::test {
 namespace {
 
 constexpr ImageSize size{80, 60};
 
-using Lengths = std::vector<std::map<Element, double>>;  // of each stretch
 using Curves = std::vector<primitives::Curve>;
 
-Lengths along(const Frame& frame, const ImageLine& line, Counters* counters = nullptr) {
-  Tally pieces(line.stretches(), true);
-  frame.lines()->along(std::span(&line, 1), nullptr, pieces);
-  Lengths lengths(line.stretches());
-  for (std::size_t i = 0; i < line.stretches(); ++i) {
-    pieces.for_each(i, [&](const Fragment& f) {
-      CHECK(f.weight > 0);
-      lengths[i][f.element] += f.weight;
-    });
-  }
-  if (counters) *counters = pieces.counters;
-  return lengths;
-}
-
 // On a line of one stretch.
-std::map<Element, double> along(const Curves& curves, Point from, Point to) {
+std::map<Element, double> lengths(const Curves& curves, Point from, Point to) {
   const std::vector<double> cuts{0, std::hypot(to.x - from.x, to.y - from.y)};
   return along(*frame_of(curves, size), {from, to, cuts}).front();
 }
@@ -185,23 +171,23 @@ TEST_CASE("image lines see what points set close together on them see") {
 TEST_CASE("image lines see chords of rings and stretches of lines as they are on paper") {
   const Curves ring{CircleCurve{1, {}, {40, 30}, 15, 20}};  // between 5 and 25
   // Through the middle, 3 and 7 aside.
-  CHECK(along(ring, {40, 0}, {40, 60}) == std::map<Element, double>{{0, 20}, {1, 40}});
-  auto seen = along(ring, {43, 0}, {43, 60});
+  CHECK(lengths(ring, {40, 0}, {40, 60}) == std::map<Element, double>{{0, 20}, {1, 40}});
+  auto seen = lengths(ring, {43, 0}, {43, 60});
   CHECK(std::abs(seen[1] - (2 * std::sqrt(616.0) - 8)) < 1e-13);
-  seen = along(ring, {33, 0}, {33, 60});
+  seen = lengths(ring, {33, 0}, {33, 60});
   CHECK(std::abs(seen[1] - 48) < 1e-13);
   // At 3 : 4 : 5 through the middle.
-  seen = along(ring, {40 - 24, 30 - 18}, {40 + 24, 30 + 18});
+  seen = lengths(ring, {40 - 24, 30 - 18}, {40 + 24, 30 + 18});
   CHECK(std::abs(seen[1] - 40) < 1e-13);
 
   const Curves bar{LineCurve{1, {}, {10, 20}, {50, 50}, 5, Cap::butt}};  // 50 long, direction (4, 3)
-  seen = along(bar, {30, 0}, {30, 60});
+  seen = lengths(bar, {30, 0}, {30, 60});
   CHECK(std::abs(seen[1] - 5 / 0.8) < 1e-13);
-  seen = along(bar, {2, 14}, {66, 62});  // along its axis
+  seen = lengths(bar, {2, 14}, {66, 62});  // along its axis
   CHECK(std::abs(seen[1] - 50) < 1e-13);
-  seen = along({LineCurve{1, {}, {10, 20}, {50, 50}, 5, Cap::round}}, {2, 14}, {66, 62});
+  seen = lengths({LineCurve{1, {}, {10, 20}, {50, 50}, 5, Cap::round}}, {2, 14}, {66, 62});
   CHECK(std::abs(seen[1] - 55) < 1e-13);
-  seen = along({LineCurve{1, {}, {10, 20}, {50, 50}, 5, Cap::square}}, {2, 14}, {66, 62});
+  seen = lengths({LineCurve{1, {}, {10, 20}, {50, 50}, 5, Cap::square}}, {2, 14}, {66, 62});
   CHECK(std::abs(seen[1] - 55) < 1e-13);
 }
 
@@ -209,41 +195,41 @@ TEST_CASE("an image line that touches a curve sees it only where it enters it") 
   const Curves ring{CircleCurve{1, {}, {40, 30}, 15, 20}};
   using Seen = std::map<Element, double>;
   // The outer circle, on either side: nothing. The inner one: all of the chord.
-  CHECK(along(ring, {65, 0}, {65, 60}) == Seen{{0, 60}});
-  CHECK(along(ring, {15, 0}, {15, 60}) == Seen{{0, 60}});
-  CHECK(along(ring, {0, 5}, {80, 5}) == Seen{{0, 80}});
-  auto seen = along(ring, {45, 0}, {45, 60});
+  CHECK(lengths(ring, {65, 0}, {65, 60}) == Seen{{0, 60}});
+  CHECK(lengths(ring, {15, 0}, {15, 60}) == Seen{{0, 60}});
+  CHECK(lengths(ring, {0, 5}, {80, 5}) == Seen{{0, 80}});
+  auto seen = lengths(ring, {45, 0}, {45, 60});
   CHECK(std::abs(seen[1] - 2 * std::sqrt(600.0)) < 1e-13);
   // Nearly: a chord of 2 sqrt(2 r e), 2e-4 or more, between places rounded to 4e-15.
   const double e = 0x1p-30;
-  seen = along(ring, {65 - e, 0}, {65 - e, 60});
+  seen = lengths(ring, {65 - e, 0}, {65 - e, 60});
   CHECK(std::abs(seen[1] / (2 * std::sqrt(e * (50 - e))) - 1) < 1e-10);
-  CHECK(along(ring, {65 + e, 0}, {65 + e, 60}) == Seen{{0, 60}});
+  CHECK(lengths(ring, {65 + e, 0}, {65 + e, 60}) == Seen{{0, 60}});
   // Round ends, likewise.
   const Curves capsule{LineCurve{1, {}, {20, 30}, {60, 30}, 10, Cap::round}};
-  CHECK(along(capsule, {65, 0}, {65, 60}) == Seen{{0, 60}});
-  CHECK(along(capsule, {15, 0}, {15, 60}) == Seen{{0, 60}});
-  seen = along(capsule, {65 - e, 0}, {65 - e, 60});
+  CHECK(lengths(capsule, {65, 0}, {65, 60}) == Seen{{0, 60}});
+  CHECK(lengths(capsule, {15, 0}, {15, 60}) == Seen{{0, 60}});
+  seen = lengths(capsule, {65 - e, 0}, {65 - e, 60});
   CHECK(std::abs(seen[1] / (2 * std::sqrt(e * (10 - e))) - 1) < 1e-10);
 }
 
 TEST_CASE("an image line along a straight outline sees what its points see") {
   using Seen = std::map<Element, double>;
   const Curves bar{LineCurve{1, {}, {20, 30}, {60, 30}, 10, Cap::butt}};  // 20 .. 60 by 25 .. 35
-  CHECK(along(bar, {20, 0}, {20, 60}) == Seen{{0, 50}, {1, 10}});         // its left end is its own
-  CHECK(along(bar, {60, 0}, {60, 60}) == Seen{{0, 60}});
-  CHECK(along(bar, {0, 25}, {80, 25}) == Seen{{0, 40}, {1, 40}});  // its upper side, too
-  CHECK(along(bar, {0, 35}, {80, 35}) == Seen{{0, 80}});
+  CHECK(lengths(bar, {20, 0}, {20, 60}) == Seen{{0, 50}, {1, 10}});       // its left end is its own
+  CHECK(lengths(bar, {60, 0}, {60, 60}) == Seen{{0, 60}});
+  CHECK(lengths(bar, {0, 25}, {80, 25}) == Seen{{0, 40}, {1, 40}});  // its upper side, too
+  CHECK(lengths(bar, {0, 35}, {80, 35}) == Seen{{0, 80}});
   const Curves reversed{LineCurve{1, {}, {60, 30}, {20, 30}, 10, Cap::butt}};
-  CHECK(along(reversed, {20, 60}, {20, 0}) == Seen{{0, 50}, {1, 10}});
-  CHECK(along(reversed, {80, 35}, {0, 35}) == Seen{{0, 80}});
+  CHECK(lengths(reversed, {20, 60}, {20, 0}) == Seen{{0, 50}, {1, 10}});
+  CHECK(lengths(reversed, {80, 35}, {0, 35}) == Seen{{0, 80}});
   // Two that share an end and two that share a side: no gap, no overlap, whichever is in front.
   const Curves pair{LineCurve{1, {}, {20, 30}, {40, 30}, 10, Cap::butt},
                     LineCurve{2, {}, {60, 30}, {40, 30}, 10, Cap::butt},
                     LineCurve{3, {}, {20, 40}, {60, 40}, 10, Cap::butt}};
-  CHECK(along(pair, {40, 0}, {40, 60}) == Seen{{0, 40}, {2, 10}, {3, 10}});
-  CHECK(along(pair, {0, 35}, {80, 35}) == Seen{{0, 40}, {3, 40}});
-  CHECK(along(pair, {0, 30}, {80, 30}) == Seen{{0, 40}, {1, 20}, {2, 20}});
+  CHECK(lengths(pair, {40, 0}, {40, 60}) == Seen{{0, 40}, {2, 10}, {3, 10}});
+  CHECK(lengths(pair, {0, 35}, {80, 35}) == Seen{{0, 40}, {3, 40}});
+  CHECK(lengths(pair, {0, 30}, {80, 30}) == Seen{{0, 40}, {1, 20}, {2, 20}});
 }
 
 TEST_CASE("image lines come in the order of their slots, and count their runs") {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <moire/runs.h>
+
 #include "points.h"
 #include "runs.h"
 #include "stack.h"
@@ -43,26 +45,12 @@ void CartoonFrame::trace(std::span<const moire::SamplePoint> points, std::span<m
 
 void CartoonFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup*, moire::Tally& pieces) const {
   LineCutter cutter(*outlines_, points_, edges());
-  std::size_t first_slot = 0;
-  pieces.fill([&](auto add) {
-    for (const moire::ImageLine& line : lines) {
-      if (line.stretches() == 0) continue;
-      const auto runs = cutter.runs(line.from, line.to, line.cuts.front(), line.cuts.back());
-      auto run = runs.begin();
-      for (std::size_t i = 0; i < line.stretches(); ++i) {
-        const double begin = line.cuts[i], end = line.cuts[i + 1];
-        if (!(begin < end)) continue;
-        ++pieces.counters.queries;
-        while (run->end <= begin) ++run;
-        for (auto part = run; part != runs.end() && part->begin < end; ++part) {
-          const moire::Hit& hit = part->layer == Stack::empty ? hits_.back() : hits_[part->layer];
-          add(first_slot + i, hit.element, std::min(part->end, end) - std::max(part->begin, begin), hit.color);
-          pieces.counters.hits += part->layer != Stack::empty ? 1 : 0;
-        }
-      }
-      first_slot += line.stretches();
-    }
-  });
+  moire::deposit_runs(
+      lines, pieces,
+      [&](const moire::ImageLine& line, double begin, double end) {
+        return cutter.runs(line.from, line.to, begin, end);
+      },
+      [&](const LineRun& run) { return run.layer == Stack::empty ? hits_.back() : hits_[run.layer]; });
 }
 
 void CartoonFrame::stream(const moire::Rectangle& window, moire::PolygonSink& sink) const {

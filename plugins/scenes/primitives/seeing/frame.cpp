@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <moire/runs.h>
+
 #include "outlines.h"
 #include "runs.h"
 
@@ -46,29 +48,14 @@ void PrimitivesFrame::trace(std::span<const moire::SamplePoint> points, std::spa
 }
 
 void PrimitivesFrame::along(std::span<const moire::ImageLine> lines, const moire::Lookup*, moire::Tally& pieces) const {
-  Runs all(shapes_, cells());
-  std::size_t first_slot = 0;
-  pieces.fill([&](auto add) {
-    for (const moire::ImageLine& line : lines) {
-      if (line.stretches() > 0 && line.cuts.front() < line.cuts.back()) {
-        const auto runs = all.along(line.from, line.to, line.cuts.front(), line.cuts.back());
-        auto run = runs.begin();
-        for (std::size_t i = 0; i < line.stretches(); ++i) {
-          const double begin = line.cuts[i], end = line.cuts[i + 1];
-          if (!(begin < end)) continue;
-          ++pieces.counters.queries;
-          while (run->end <= begin) ++run;
-          for (auto part = run; part != runs.end() && part->begin < end; ++part) {
-            const bool is_hit = part->shape != Run::nothing;
-            const moire::Hit hit = is_hit ? hits_[part->shape] : moire::Hit{moire::background, background_};
-            add(first_slot + i, hit.element, std::min(part->end, end) - std::max(part->begin, begin), hit.color);
-            pieces.counters.hits += is_hit ? 1 : 0;
-          }
-        }
-      }
-      first_slot += line.stretches();
-    }
-  });
+  Runs runs(shapes_, cells());
+  const moire::Hit nothing{moire::background, background_};
+  moire::deposit_runs(
+      lines, pieces,
+      [&](const moire::ImageLine& line, double begin, double end) {
+        return runs.along(line.from, line.to, begin, end);
+      },
+      [&](const Run& run) { return run.shape == Run::nothing ? nothing : hits_[run.shape]; });
 }
 
 void PrimitivesFrame::stream(const moire::Rectangle& window, moire::PolygonSink& sink) const {
