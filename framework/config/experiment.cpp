@@ -56,8 +56,9 @@ class ExperimentReader {
     for (const Choice& scene : scenes_) {
       SceneChoice& choice = experiment_.scenes.emplace_back(scene_of(scene));
       for (const Choice& sampler : samplers_) {
-        if (sampler.if_it_fits && !mismatch(choice, sampler_of(sampler), vocabulary_).empty())
-          choice.without.push_back(sampler.name);
+        if (!sampler.if_it_fits) continue;
+        std::string missing = missing_for(choice, sampler_of(sampler), vocabulary_);
+        if (!missing.empty()) choice.without.emplace(sampler.name, std::move(missing));
       }
     }
     if (!reference_.empty()) experiment_.reference = sampler_of(reference_.front());

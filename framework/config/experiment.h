@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,8 +20,8 @@ namespace moire {
 struct SceneChoice {
   std::string name;  // its label, or made by name_choices
   const Plugin* plugin = nullptr;
-  Settings settings;                      // complete; files are paths that exist
-  std::vector<std::string> without = {};  // samplers that are left out here, since they do not fit
+  Settings settings;                                // complete; files are paths that exist
+  std::map<std::string, std::string> without = {};  // samplers that do not fit, and what they miss here
 };
 
 // A sampler with its settings, lookup and filter: a contender.

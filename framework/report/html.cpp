@@ -57,6 +57,13 @@ std::string own_error(const ReportData& data, const SceneResult& scene) {
                      how.empty() ? "" : fmt::format(" ({})", how));
 }
 
+Markup left_out(const SceneResult& scene) {
+  std::string names;
+  for (const auto& [sampler, missing] : scene.without)
+    names += fmt::format("{}{} (no {})", names.empty() ? "" : ", ", sampler, missing);
+  return names.empty() ? Markup() : tag("p", {{"class", "note"}}, "Left out here: " + names + ".");
+}
+
 Markup reference_text(const ReportData& data, const SceneResult& scene) {
   if (scene.reference.empty())
     return tag("p", {{"class", "note"}}, "No reference: nothing here is judged by its error.");
@@ -88,13 +95,14 @@ Markup lede(const ReportData& data) {
 }
 
 Markup navigation(const ReportData& data) {
-  Markup links = tag("a", {{"href", "#contenders"}}, "Contenders");
+  Markup links;
   for (std::size_t i = 0; i < data.scenes.size(); ++i) {
     links += tag("a", {{"href", fmt::format("#{}", scene_anchor(i))}}, data.scenes[i].scene.name);
   }
   for (std::size_t i = 0; i < data.results.analyses.size(); ++i) {
     links += tag("a", {{"href", fmt::format("#{}", analysis_anchor(i))}}, data.results.analyses[i].title);
   }
+  links += tag("a", {{"href", "#contenders"}}, "Contenders");
   links += tag("a", {{"href", "#metrics"}}, "Metrics") + tag("a", {{"href", "#provenance"}}, "Provenance");
   return tag("nav", {{"aria-label", "Sections"}}, links);
 }
@@ -191,7 +199,7 @@ bool has_images(const SceneView& view) {
 
 Markup scene_section(const ReportData& data, std::size_t index) {
   const SceneView& view = data.scenes[index];
-  Markup content = reference_text(data, view.scene) + findings(view);
+  Markup content = reference_text(data, view.scene) + left_out(view.scene) + findings(view);
   if (has_images(view))
     content += side_by_side(data, view) + magnified(data, view) + one_over_the_other(data, view, index);
   for (const PictureRow& row : view.other_rows) content += picture_row(data, row);
@@ -242,9 +250,10 @@ std::string html_text(const ReportData& data) {
   const Results& results = data.results;
   Markup page =
       tag("header", tag("p", {{"class", "overline"}}, results.experiment) + tag("h1", results.question) + lede(data));
-  Markup main = notices(results) + section("contenders", "Contenders", contenders(results));
+  Markup main = notices(results);
   for (std::size_t i = 0; i < data.scenes.size(); ++i) main += scene_section(data, i);
   for (std::size_t i = 0; i < results.analyses.size(); ++i) main += analysis_section(results, i);
+  main += section("contenders", "Contenders", contenders(results));
   main += section("metrics", "Metrics", glossary(results)) + section("provenance", "Provenance", provenance(results));
   page += navigation(data) + tag("main", main);
   return "<!doctype html>\n" + tag("html", {{"lang", "en"}}, head(data) + tag("body", page)).text() + '\n';

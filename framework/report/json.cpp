@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Rises when a reader of the old format would misread the new one.
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 // T is U or const U: members() below serves writing and reading alike, so that the two cannot differ.
 template <class T, class U>
@@ -39,6 +39,7 @@ void members(auto& file, Either<SceneResult> auto& scene) {
   file.field("version", scene.version);
   file.field("summary", scene.summary);
   file.field("settings", scene.settings);
+  file.field("without", scene.without);
   file.field("reference", scene.reference);
   file.field("reference_error", scene.reference_error);
   file.field("reference_error_how", scene.reference_error_how);

@@ -34,19 +34,19 @@ std::vector<Column> columns_of(const Results& results, const std::string& scene)
   return columns;
 }
 
-std::vector<Line> lines_of(const Results& results, const std::string& scene) {
+std::vector<Line> lines_of(const Results& results, const SceneResult& scene) {
   std::vector<Line> lines;
   std::set<std::string> listed;
   for (const ContenderResult& contender : results.contenders) {
     listed.insert(contender.name);
-    lines.push_back({contender.name, true, "", {}});
+    if (!scene.without.contains(contender.name)) lines.push_back({contender.name, true, "", {}});
   }
   for (const Row& row : results.rows) {
-    if (row.scene == scene && listed.insert(row.sampler).second) lines.push_back({row.sampler, false, "", {}});
+    if (row.scene == scene.name && listed.insert(row.sampler).second) lines.push_back({row.sampler, false, "", {}});
   }
   for (const Failure& failure : results.failures) {
     const auto line = std::find_if(lines.begin(), lines.end(), [&](auto& l) { return l.sampler == failure.sampler; });
-    if (failure.scene == scene && line != lines.end()) line->failure = failure.message;
+    if (failure.scene == scene.name && line != lines.end()) line->failure = failure.message;
   }
   return lines;
 }
@@ -94,7 +94,7 @@ void fill_column(const Results& results, const SceneResult& scene, const Explana
 }  // namespace
 
 MetricTable metric_table(const Results& results, const SceneResult& scene) {
-  MetricTable table{columns_of(results, scene.name), lines_of(results, scene.name)};
+  MetricTable table{columns_of(results, scene.name), lines_of(results, scene)};
   for (const Column& column : table.columns) fill_column(results, scene, column.metric, table.lines);
   return table;
 }

@@ -97,6 +97,7 @@ PictureRow image_row(const ReportData& data, const SceneView& view, Album& album
     album.put(row.panels.back(), view.scene.reference_image);
   }
   for (const ContenderResult& contender : data.results.contenders) {
+    if (view.scene.without.contains(contender.name)) continue;
     row.panels.push_back(panel_of(data, view, contender.name));
     if (const ImageResult* image = find_image(data.results, view.scene.name, contender.name, "image")) {
       album.put(row.panels.back(), image->file);
@@ -147,6 +148,7 @@ void fill_chart(const Results& results, SceneView& view) {
                 view.scene.reference_error,
                 "below the reference\u2019s accuracy"};
   for (const ContenderResult& contender : results.contenders) {
+    if (view.scene.without.contains(contender.name)) continue;
     const Row* speed = find_row(results, view.scene.name, contender.name, main_speed);
     const Row* error = find_row(results, view.scene.name, contender.name, main_error);
     if (speed && error && std::isfinite(speed->value) && speed->value > 0 && std::isfinite(error->value)) {

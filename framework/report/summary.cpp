@@ -75,6 +75,12 @@ std::string aligned(const std::vector<TextRow>& rows) {
   return text;
 }
 
+std::string left_out(const SceneResult& scene) {
+  std::string names;
+  for (const auto& [sampler, missing] : scene.without) names += (names.empty() ? "" : ", ") + sampler;
+  return names.empty() ? "" : "  left out, since they do not fit: " + names + "\n";
+}
+
 std::string heading(const SceneResult& scene, const std::string& unit) {
   if (scene.reference.empty()) return scene.name + "\n";
   const std::string own_error =
@@ -100,7 +106,7 @@ std::string summary_text(const Results& results) {
   std::vector<MetricTable> tables;
   for (const SceneResult& scene : results.scenes) {
     tables.push_back(main_part(metric_table(results, scene)));
-    text += heading(scene, unit_of(results, main_error)) + aligned(text_rows(tables.back())) + '\n';
+    text += heading(scene, unit_of(results, main_error)) + aligned(text_rows(tables.back())) + left_out(scene) + '\n';
   }
   for (const Analysis& analysis : results.analyses) {
     text += analysis.title + '\n';

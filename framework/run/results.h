@@ -36,6 +36,7 @@ struct SceneResult {
   std::filesystem::path reference_image;  // below the result folder; empty if none
   std::array<int, 4> detail_window{};     // x, y, width, height: what reports magnify; all 0: the middle of the image
   std::string summary;                    // the plugin's sentence on what it is
+  std::map<std::string, std::string> without;  // contenders that do not fit, and what they miss here
 };
 
 struct ContenderResult {

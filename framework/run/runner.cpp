@@ -63,6 +63,7 @@ Results run_experiment(const Experiment& experiment, const Catalog& catalog, con
       result.version = scene.plugin->version;
       result.settings = chosen(experiment.request, "scenes", k);
       result.summary = scene.plugin->summary();
+      result.without = scene.without;
       run_scene(scene, context, results);
     }
     std::set<std::string> on_lines;

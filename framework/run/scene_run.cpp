@@ -40,8 +40,7 @@ bool has_frame_passes(const Experiment& experiment) {
 std::vector<const SamplerChoice*> samplers_on(const SceneChoice& scene, const Experiment& experiment) {
   std::vector<const SamplerChoice*> result;
   for (const SamplerChoice& sampler : experiment.samplers) {
-    if (std::find(scene.without.begin(), scene.without.end(), sampler.name) == scene.without.end())
-      result.push_back(&sampler);
+    if (!scene.without.contains(sampler.name)) result.push_back(&sampler);
   }
   return result;
 }

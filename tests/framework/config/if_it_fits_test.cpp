@@ -1,12 +1,13 @@
 // Samplers that are left out on scenes that they do not fit.
 #include <catch2/catch_test_macros.hpp>
+#include <map>
 
 #include "experiment_folder.h"
 
 namespace moire::test {
 namespace {
 
-using Names = std::vector<std::string>;
+using Missing = std::map<std::string, std::string>;
 
 constexpr const char* two_scenes = R"("scenes": [{"type": "heightfield"}, {"type": "cartoon"}])";
 
@@ -17,7 +18,7 @@ TEST_CASE("a sampler that need not fit is left out on the scenes that it does no
   REQUIRE(experiment.samplers.size() == 2);
   REQUIRE(experiment.scenes.size() == 2);
   CHECK(experiment.scenes[0].without.empty());
-  CHECK(experiment.scenes[1].without == Names{"bilinear"});
+  CHECK(experiment.scenes[1].without == Missing{{"bilinear", "places on a texture (for its lookup, bilinear)"}});
   CHECK(experiment.request.at("samplers")[1].at("if_it_fits") == true);
 }
 

@@ -151,6 +151,12 @@ TEST_CASE("a picture that is missing, and a contender that was not rendered, are
   CHECK(contains(page, "not rendered in this run"));
 }
 
+TEST_CASE("a contender that does not fit a scene has no picture there, and the scene says why") {
+  const std::string page = ResultFolder().page();
+  CHECK(contains(page, "Left out here: two &lt;points&gt; (no lines &amp; circles)."));
+  CHECK(count(page, "two &lt;points&gt;") == 2);  // there, and in the table of contenders
+}
+
 TEST_CASE("a file that is no PNG is said to be none") {
   const ResultFolder folder;
   write_whole_file(folder.path() / "images/hill/area.png", "GIF89a");

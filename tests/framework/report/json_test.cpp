@@ -54,9 +54,9 @@ TEST_CASE("a file that does not hold results is refused with its name and what i
             "anew");
 
   folder.file("results.json", R"({"format_version": 7})");
-  CHECK(message_of(read) == file + ": has another format (version 7); this program reads version 1");
+  CHECK(message_of(read) == file + ": has another format (version 7); this program reads version 2");
 
-  folder.file("results.json", R"({"format_version": 1})");
+  folder.file("results.json", R"({"format_version": 2})");
   CHECK(message_of(read) ==
         file + ": is not a file of results (key 'experiment' not found); run the experiment again to write it anew");
 }

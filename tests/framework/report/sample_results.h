@@ -1,5 +1,5 @@
 // A small run with all that a report must cope with: quotes and markup in names, NaN, infinity, intervals, a failure, a
-// line that is no contender, a value below the reference's accuracy.
+// line that is no contender, a contender that does not fit, a value below the reference's accuracy.
 #pragma once
 
 #include <limits>
@@ -26,11 +26,14 @@ inline Results sample_results() {
                       "",
                       "images/hill/reference.png",
                       {8, 0, 16, 16},
-                      "A hill."});
+                      "A hill.",
+                      {{"two <points>", "lines & circles"}}});
   r.contenders.push_back({"point", "point", "1.0.0", "nearest", nlohmann::ordered_json::object(), "One ray.", ""});
   r.contenders.push_back({"super[n=2]", "super", "1.1.0", "nearest", {{"n", 2}}, "A grid.", "a paper"});
   r.contenders.push_back({"area", "area", "1.0.0", "nearest", {{"lines", 4}}, "Lines.", ""});
   r.contenders.push_back({"<b>bad</b> \"one\"", "bad", "0.1.0", "nearest", {{"mode", "throw"}}, "Throws.", ""});
+  r.contenders.push_back(
+      {"two <points>", "two", "1.0.0", "nearest", nlohmann::ordered_json::object(), "Two pixels.", ""});
   r.metrics = {{"error.rmse", "levels", "root of the mean square, sRGB code values", true, true, true},
                {"error.max", "levels", "greatest, sRGB code values", true, true, false},
                {"coverage.visible", "", "V", true, false, false},
