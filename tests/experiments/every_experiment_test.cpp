@@ -2,8 +2,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "config/experiment.h"
+#include "files/whole_file.h"
 #include "metrics/registry.h"
 #include "pictures/registry.h"
 #include "sampling/filters.h"
@@ -23,6 +25,21 @@ TEST_CASE("every experiment of the tree is without a fault, and has a README bes
     ++found;
   }
   CHECK(found >= 7);
+}
+
+TEST_CASE("the README names every plugin, metric, picture and experiment") {
+  const std::string readme = read_whole_file(MOIRE_SOURCES "/README.md");
+  const auto check = [&](std::string_view name) {
+    CAPTURE(name);
+    CHECK(readme.find('`' + std::string(name) + '`') != std::string::npos);
+  };
+  for (const Kind kind : {Kind::scene, Kind::sampler}) {
+    for (const Plugin* plugin : test::catalog().all(kind)) check(plugin->name);
+  }
+  for (const PassDescription* metric : metric_descriptions()) check(metric->name);
+  for (const PassDescription* picture : picture_descriptions()) check(picture->name);
+  for (const auto& entry : std::filesystem::directory_iterator(MOIRE_SOURCES "/experiments"))
+    check("experiments/" + entry.path().filename().string());
 }
 
 }  // namespace moire

@@ -15,7 +15,7 @@
 namespace moire::test {
 namespace {
 
-constexpr ImageSize size = sanitized ? ImageSize{15, 11} : ImageSize{45, 38};  // no multiple of a block's width
+constexpr ImageSize size = sanitized ? ImageSize{15, 11} : ImageSize{33, 27};  // no multiple of a block's width
 
 // The table's defaults, and those with each other choice of each parameter that is one.
 std::vector<Settings> variants(std::span<const Parameter> table) {
