@@ -53,7 +53,7 @@ double PieceIntegral::Triangle::area() const { return 0.5 * ((b.x - a.x) * (c.y 
 
 bool PieceIntegral::is_good(const Integral& integral, double area) const {
   // Small pieces may err more by area: there are few of them.
-  return integral.error <= tolerance_ * std::max(area, 0.1);
+  return integral.error <= tolerance_ * std::max(area, 0.05);
 }
 
 Integral PieceIntegral::over(const Outline& outline, const moire::Point* contact,
