@@ -189,3 +189,27 @@ TEST_CASE("faces that no light reaches, the sky and empty worlds have averages",
   const moire::PixelBlock empty = rendered(PixelAverages(nothing, camera, sky), {3, 4, 5, 6});
   for (std::size_t slot = 0; slot < empty.slots(); ++slot) CHECK(empty.color(slot).b == nothing.sky.b);
 }
+
+TEST_CASE("copies of a face in its plane, whole or in part, leave averages as they are", "[shadow_planes]") {
+  const World one = lit_receiver();
+  World copies = one;
+  copies.faces.push_back(one.faces[0]);
+  copies.faces.push_back(one.faces[0]);
+  for (Convex& part : copies.faces.back().parts) {
+    for (Vector& p : part) p = 0.3 * p;
+  }
+  // Where rounding leaves slivers between the copies depends on where their edges fall.
+  for (int width = 60; width <= 100; ++width) {
+    CAPTURE(width);
+    Camera camera = grazing({width, 40});
+    camera.eye = Vector{0, 0, 0.3} - 0.07 * width * camera.ahead;
+    camera.focal = 0.5 * width;  // the whole of it is in view
+    const VisibleParts alone(one, camera), together(copies, camera);
+    const moire::PixelBlock expected = rendered(PixelAverages(one, camera, alone), {0, 0, width, 40});
+    const moire::PixelBlock found = rendered(PixelAverages(copies, camera, together), {0, 0, width, 40});
+    double worst = 0;
+    for (std::size_t slot = 0; slot < found.slots(); ++slot)
+      worst = std::max(worst, std::abs(static_cast<double>(found.color(slot).g) - expected.color(slot).g));
+    CHECK(worst <= 2e-6);
+  }
+}

@@ -64,6 +64,8 @@ void Tiles::for_quarters(const Tile& tile, Each each) {
 void Tiles::any_faces(const Tile& tile) {
   if (!is_wanted(tile)) return;
   visible_.in(tile.window(), parts_);
+  // What the image as a whole does not show is rounding along the edges of what hides it.
+  std::erase_if(parts_, [&](const Part& part) { return part.face != Part::none && !faces_[part.face]; });
   const std::uint32_t first = parts_.empty() ? Part::none : parts_[0].face;
   if (std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return part.face != first; })) {
     if (tile.side == 1) {
